@@ -31,6 +31,7 @@ device::CloudOrdinate narrowed_ordinate(const physics::CloudOrdinate& o) {
   device::CloudOrdinate out{};
   out.direction = {cloud_float(o.direction.x), cloud_float(o.direction.y), cloud_float(o.direction.z)};
   out.weight = cloud_float(o.weight);
+  out.lowest = cloud_float(o.lowest);
   std::ranges::transform(o.harmonics, std::begin(out.harmonics), cloud_float);
   return out;
 }
@@ -85,13 +86,14 @@ double light_kept(const CloudCells& cells, const CloudDrops& drops) {
 }
 
 std::vector<physics::CloudOrdinate> cloud_ordinates() {
-  constexpr int kZenithAngles = 2;  // of each hemisphere
+  constexpr int kZenithAngles = 3;  // of each hemisphere
   constexpr int kAzimuths = 8;
   physics::CloudPhysics p;
   std::vector<physics::CloudOrdinate> ordinates;
   const GaussRule rule = gauss_legendre(kZenithAngles);
   for (const double side : {-1.0, 1.0}) {
-    for (std::size_t n = 0; n < rule.nodes.size(); ++n) {
+    double lowest = 0.0;
+    for (std::size_t n = 0; n < rule.nodes.size(); lowest += rule.weights[n], ++n) {
       const double z = rule.nodes[n];
       for (int a = 0; a < kAzimuths; ++a) {
         const double turn = p.ring_is_turned(z) ? 0.5 : 0.0;
@@ -100,6 +102,7 @@ std::vector<physics::CloudOrdinate> cloud_ordinates() {
         physics::CloudOrdinate o{};
         o.direction = {across * std::cos(azimuth), across * std::sin(azimuth), side * z};
         o.weight = rule.weights[n] * 2.0 * std::numbers::pi / kAzimuths;
+        o.lowest = lowest;
         for (std::uint32_t i = 0; i < physics::kCloudMoments; ++i) {
           o.harmonics[i] = p.cloud_harmonic(i, o.direction);
         }
@@ -124,13 +127,13 @@ physics::CloudScattering cloud_scattering(const CloudDrops& drops, physics::vec3
   return scattering;
 }
 
-int sweeps_for(double kept) {
+int sweeps_for(double kept, bool begun) {
   constexpr double kLeft = 2e-3;
   constexpr int kFewest = 6;
-  constexpr int kMost = 16;
+  const int most = begun ? kFewest : 16;
   const double root = std::sqrt(1.0 - std::min(kept, 0.9999));
   return std::clamp(static_cast<int>(std::ceil(std::log(kLeft) / std::log((1.0 - root) / (1.0 + root)))), kFewest,
-                    kMost);
+                    most);
 }
 
 std::vector<ChebyshevStep> chebyshev_steps(double kept, int count) {
@@ -181,11 +184,30 @@ CloudField add_cloud_field(Plan& plan, const CloudCells& cells, const CloudDrops
   const BufferId sources = add("_sources", 2 * rays, false);
   const BufferId means = add("_means", rays, false);
   const BufferId changes = add("_changes", floats * physics::kCloudMoments, false);
-  const CloudField field{add("_moments", floats * physics::kCloudMoments, true),
-                         add("_planes", rays / cells.nz * 2, true), means};
+  const CloudField field{extinction, add("_moments", floats * physics::kCloudMoments, true),
+                         add("_planes", rays / cells.nz, true), means};
+  const std::uint32_t longest = std::max({cells.nx * cells.ny, cells.nx * cells.nz, cells.ny * cells.nz});
+  const BufferId fronts = add("_fronts", std::size_t{2} * physics::kCloudOrdinates * longest * sizeof(float), false);
+  std::uint32_t sweep = 0;
   const double kept = light_kept(cells, drops);
-  BufferId moments = plan.add_buffer(filled_buffer(name + "_nothing", bytes_of(std::vector<float>(9 * cells.count()))));
-  for (const ChebyshevStep& step : chebyshev_steps(kept, settings.sweeps > 0 ? settings.sweeps : sweeps_for(kept))) {
+  BufferId moments = field.moments;
+  if (settings.start) {
+    const CloudCells& coarser = settings.start->cells;
+    plan.add_pass({.name = name + "_start",
+                   .shader = "cloud_start",
+                   .reads = {{"lit_cells", list},
+                             {"found", settings.start->field.moments},
+                             {"coarser_cells", settings.start->field.extinction}},
+                   .writes = {{"moments_out", field.moments}},
+                   .grid = {std::max(lit_count, 1U), 1, 1},
+                   .push_constants = {lit_count, cells.nx, cells.ny, cells.nz, coarser.nx, coarser.ny, coarser.nz},
+                   .cost = 10.0});
+  } else {
+    const std::vector<float> dark(physics::kCloudMoments * cells.count());
+    moments = plan.add_buffer(filled_buffer(name + "_nothing", bytes_of(dark)));
+  }
+  for (const ChebyshevStep& step :
+       chebyshev_steps(kept, settings.sweeps > 0 ? settings.sweeps : sweeps_for(kept, settings.start.has_value()))) {
     plan.add_pass({.name = name + "_emission",
                    .shader = "cloud_emission",
                    .reads = {{"ordinates", tables.ordinates},
@@ -203,11 +225,15 @@ CloudField add_cloud_field(Plan& plan, const CloudCells& cells, const CloudDrops
     plan.add_pass(
         {.name = name + "_sweep",
          .shader = "cloud_sweep",
-         .reads = {{"ordinates", tables.ordinates}, {"cells", extinction}, {"sources", sources}},
-         .writes = {{"means_out", means}, {"planes", field.planes}},
-         .grid = {16 * physics::kCloudOrdinates, 16, 1},
+         .reads = {{"ordinates", tables.ordinates},
+                   {"cells", extinction},
+                   {"sources", sources},
+                   {"ground", incident.ground.value_or(extinction)}},
+         .writes = {{"means_out", means}, {"fronts", fronts}, {"planes_out", field.planes}},
+         .grid = {16 * physics::kCloudOrdinates, 8, 1},
          .push_constants = {cells.nx, cells.ny, cells.nz, push_constant(cells.cell_x), push_constant(cells.cell_y),
-                            push_constant(cells.cell_z), push_constant(incident.above), push_constant(incident.below)},
+                            push_constant(cells.cell_z), push_constant(incident.above), push_constant(incident.below),
+                            sweep++, longest, incident.ground ? 1U : 0U},
          .cost = 2.0 * static_cast<double>(cells.count()) / 256.0});
     plan.add_pass({.name = name + "_gather",
                    .shader = "cloud_gather",

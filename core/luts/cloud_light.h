@@ -4,6 +4,7 @@
 // wavelengths, so the light of sun, sky and ground is told apart by where it comes from, and coloured when it is seen.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,11 +27,8 @@ struct CloudIncident {
   bool sun = false;
   double above = 0.0;
   double below = 0.0;
-};
-
-struct SweepSettings {
-  int sweeps = 0;              // 0: sweeps_for() what the cloud keeps
-  bool host_readable = false;  // moments and planes
+  std::optional<BufferId> ground =
+      {};  // of passes/cloud_ground.comp: the light through the base over its mean, `below`
 };
 
 // The largest share of its light that a sweep leaves in the cloud, which Chebyshev's iteration is tuned to: from the
@@ -42,8 +40,9 @@ double delta_scale(const CloudDrops& drops);
 std::vector<physics::CloudOrdinate> cloud_ordinates();
 physics::CloudScattering cloud_scattering(const CloudDrops& drops, physics::vec3 sun);
 
-// So many sweeps that Chebyshev's iteration leaves 2e-3 of the first error, at most 16.
-int sweeps_for(double kept);
+// So many sweeps that Chebyshev's iteration leaves 2e-3 of the first error, at most 16; at most 6 where they begin with
+// the light found on coarser cells.
+int sweeps_for(double kept, bool begun);
 
 // Steps of Chebyshev's iteration for a spectrum between 0 and `kept` [GV61]: what each sweep's change is multiplied by,
 // and what the change before is.
@@ -54,9 +53,22 @@ struct ChebyshevStep {
 std::vector<ChebyshevStep> chebyshev_steps(double kept, int count);
 
 struct CloudField {
-  BufferId moments;  // of the mean radiance in each cell: harmonic, cell
-  BufferId planes;   // what leaves the last layer along each ordinate: ordinate, two planes each
-  BufferId means;    // radiance along each ordinate, the mean over a cell, after the last sweep: ordinate, cell
+  BufferId extinction;  // of the cells, delta-scaled, 1/km
+  BufferId moments;     // of the mean radiance in each cell: harmonic, cell
+  BufferId planes;      // what leaves the last layer along each ordinate: ordinate, two planes each
+  BufferId means;       // radiance along each ordinate, the mean over a cell, after the last sweep: ordinate, cell
+};
+
+// Light found on coarser cells.
+struct CoarserField {
+  CloudField field;
+  CloudCells cells;
+};
+
+struct SweepSettings {
+  int sweeps = 0;                          // 0: sweeps_for() what the cloud keeps
+  bool host_readable = false;              // moments and planes
+  std::optional<CoarserField> start = {};  // to begin with; else the cloud is dark
 };
 
 // What all fields of one cloud and sun read. `sun`: the direction in which its light travels, in the cloud's frame.

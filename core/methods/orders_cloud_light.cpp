@@ -163,14 +163,18 @@ CloudInputs add_inputs(Plan& plan, const std::shared_ptr<const CloudGrid>& grid,
   return inputs;
 }
 
-BufferId add_beam(Plan& plan, const CloudInputs& inputs, const CloudCells& coarse, const std::string& key) {
+// The sun's light in cells that are named so.
+BufferId add_beam(Plan& plan, const std::string& name, const CloudInputs& inputs, const CloudCells& coarse,
+                  const std::string& key) {
   const auto count = static_cast<std::uint32_t>(coarse.count());
   const BufferId beam =
-      plan.add_buffer({.name = "cloud_beam", .bytes = count * sizeof(float), .key = key + " beam", .zeroed = false});
-  plan.add_pass({.shader = "cloud_beam",
+      plan.add_buffer({.name = name, .bytes = count * sizeof(float), .key = key + " " + name, .zeroed = false});
+  plan.add_pass({.name = name,
+                 .shader = "cloud_beam",
                  .reads = inputs.reads(),
                  .writes = {{"beam_out", beam}},
                  .grid = {count, 1, 1},
+                 .push_constants = {coarse.nx, coarse.ny, coarse.nz},
                  .cost = 10.0});
   return beam;
 }
@@ -188,7 +192,7 @@ struct Fields {
 ImageId add_sources(Plan& plan, const Fields& fields, const std::string& key) {
   constexpr std::uint32_t kBlocks = 4;
   const CloudCells& cells = fields.cells;
-  const Extent extent{(cells.nx + 1) * kBlocks, cells.ny + 1, cells.nz};
+  const Extent extent{(cells.nx + 1) * kBlocks, cells.ny + 1, cells.nz + 2};
   const ImageId sources =
       plan.add_image({.name = "cloud_source", .extent = extent, .key = key + " sources", .stored = true});
   plan.add_pass(
@@ -196,7 +200,9 @@ ImageId add_sources(Plan& plan, const Fields& fields, const std::string& key) {
        .reads = {{"scattering", fields.tables.scattering},
                  {"sun", fields.sun.moments},
                  {"sky", fields.sky.moments},
-                 {"ground", fields.ground.moments}},
+                 {"ground", fields.ground.moments},
+                 {"cells", fields.sun.extinction},
+                 {"coarser_cells", fields.sky.extinction}},
        .writes = {{"source_out", sources}},
        .grid = extent,
        .push_constants = {cells.nx, cells.ny, cells.nz, fields.coarser.nx, fields.coarser.ny, fields.coarser.nz}});
@@ -261,19 +267,41 @@ void add_balance(Plan& plan, const Part& part, const Light& light, const CloudIn
                  .specialization = std::move(constants)});
 }
 
+// What the ground sends to the cells' base.
+BufferId add_ground(Plan& plan, const CloudInputs& inputs, const CloudCells& cells, const CloudTables& tables,
+                    const CloudField& sun, const std::string& key) {
+  const std::size_t plane = std::size_t{cells.nx} * cells.ny;
+  const BufferId ground = plan.add_buffer({.name = "cloud_ground",
+                                           .bytes = (1 + physics::kCloudOrdinates) * plane * sizeof(float),
+                                           .key = key + " ground"});
+  std::vector<Binding> reads = inputs.reads();
+  reads.insert(reads.end(), {{"ordinates", tables.ordinates}, {"sun_planes", sun.planes}});
+  plan.add_pass({.shader = "cloud_ground",
+                 .reads = std::move(reads),
+                 .writes = {{"ground_out", ground}},
+                 .grid = {256, 1, 1},
+                 .push_constants = {cells.nx, cells.ny},
+                 .cost = 400.0});
+  return ground;
+}
+
 Fields add_fields(Plan& plan, const CloudCells& coarse, const CloudDrops& drops, const CloudInputs& inputs,
                   physics::vec3 to_sun, const std::string& key) {
   Fields fields{.cells = coarse, .coarser = {}, .tables = {}, .sun = {}, .sky = {}, .ground = {}};
   const CloudCells& cells = fields.cells;
   fields.coarser = coarsened(cells, (cells.nx + 1) / 2, (cells.ny + 1) / 2, (cells.nz + 1) / 2);
   fields.tables = add_cloud_tables(plan, drops, -to_sun);
-  const BufferId beam = add_beam(plan, inputs, cells, key);
-  const auto add = [&](const CloudCells& on, const CloudIncident& incident) {
-    return add_cloud_field(plan, on, drops, incident, {}, fields.tables, beam, key);
+  const auto add = [&](const CloudCells& on, const CloudIncident& incident, BufferId beam,
+                       const SweepSettings& settings = {}) {
+    return add_cloud_field(plan, on, drops, incident, settings, fields.tables, beam, key);
   };
-  fields.sun = add(cells, {.name = "sun", .sun = true});
-  fields.sky = add(fields.coarser, {.name = "sky", .above = 1.0});
-  fields.ground = add(fields.coarser, {.name = "ground", .below = 1.0});
+  const BufferId beam = add_beam(plan, "cloud_beam", inputs, cells, key);
+  const BufferId coarser_beam = add_beam(plan, "cloud_beam_start", inputs, fields.coarser, key);
+  const CloudField start = add(fields.coarser, {.name = "sun_start", .sun = true}, coarser_beam);
+  fields.sun = add(cells, {.name = "sun", .sun = true}, beam, {.start = {{start, fields.coarser}}});
+  fields.sky = add(fields.coarser, {.name = "sky", .above = 1.0}, beam);
+  const BufferId ground = add_ground(plan, inputs, fields.coarser, fields.tables, start, key);
+  fields.ground = add(fields.coarser, {.name = "ground", .below = 1.0, .ground = ground}, beam);
   return fields;
 }
 

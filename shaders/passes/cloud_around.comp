@@ -8,6 +8,7 @@
 #define real float
 #include "shared/cloud.h"
 #include "shared/cloud_around.glsl"
+#include "shared/cloud_shares.glsl"
 
 layout(local_size_x = 64) in;
 layout(scalar, set = 0, binding = 1) readonly buffer Ordinates { CloudOrdinate values[]; } ordinates;
@@ -23,8 +24,6 @@ layout(push_constant, scalar) uniform Push {
   uvec3 coarser;  // cells of sky and ground
 };
 
-const float kAzimuths = 8.0;
-const uint kSpread = 3u;  // directions of a share of the hemisphere, in zenith angle and in azimuth
 const float kTurn = 6.283185307179586;
 
 // The eight cells around a place, the nearer one and the farther one on each axis.
@@ -79,8 +78,8 @@ vec3 leaving(uint o, vec2 place, uvec3 sunlit) {
   uvec3 sunlit_level = uvec3(sunlit.xy, 1u);
   Corners a = corners_of(vec3(place, 0.5), level);
   Corners b = corners_of(vec3(place, 0.5), sunlit_level);
-  uint first = (2u * o + (coarser.z & 1u)) * level.x * level.y;
-  uint sunlit_first = (2u * o + (sunlit.z & 1u)) * sunlit_level.x * sunlit_level.y;
+  uint first = o * level.x * level.y;
+  uint sunlit_first = o * sunlit_level.x * sunlit_level.y;
   vec3 light = vec3(0.0);
   for (uint n = 0u; n < 4u; n++) {
     uint at = first + corner(a, level, n);
@@ -95,19 +94,13 @@ vec3 under(vec2 place, float depth, uvec3 sunlit) {
   CloudData c = cloud_data.value;
   vec3 sum = vec3(0.0);
   for (uint o = 0u; o < kCloudOrdinates; o++) {
-    vec3 direction = ordinates.values[o].direction;
-    if (direction.z > 0.0) {
+    if (ordinates.values[o].direction.z > 0.0) {
       continue;
     }
-    // Its share: from the lower or upper half of the zenith cosines, an eighth of a turn.
-    float lowest = direction.z < -0.5 ? 0.5 : 0.0;
-    float azimuth = atan(direction.y, direction.x);
-    for (uint n = 0u; n < kSpread * kSpread; n++) {
-      float mu = lowest + 0.5 * (float(n / kSpread) + 0.5) / float(kSpread);
-      float turn = azimuth + kTurn / kAzimuths * ((float(n % kSpread) + 0.5) / float(kSpread) - 0.5);
-      vec2 shift = vec2(cos(turn), sin(turn)) * (sqrt(1.0 - mu * mu) / mu * depth);
+    for (uint k = 0u; k < kShareDirections; k++) {
+      vec2 shift = share_shift(ordinates.values[o], k) * depth;
       sum += leaving(o, place - shift / vec2(c.width, c.depth), sunlit) *
-             (ordinates.values[o].weight / float(kSpread * kSpread));
+             (ordinates.values[o].weight / float(kShareDirections));
     }
   }
   return sum;

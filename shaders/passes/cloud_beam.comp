@@ -12,10 +12,10 @@ const float kThinnest = 1e-6;  // depth of a part without water, so that its lig
 
 layout(local_size_x = 64) in;
 layout(scalar, set = 0, binding = 2) writeonly buffer Beam { float values[]; } beam_out;
+layout(push_constant, scalar) uniform Push { uvec3 cells; };
 
 void main() {
   CloudData c = cloud();
-  uvec3 cells = uvec3(c.coarse_x, c.coarse_y, c.coarse_z);
   uint at = gl_GlobalInvocationID.x;
   if (at >= cells.x * cells.y * cells.z) {
     return;

@@ -20,8 +20,6 @@ layout(push_constant, scalar) uniform Push {
   float sun;  // 1: the sun shines
 };
 
-const uint kRings = 4u;
-
 // Neighbours: east, west, north, south, up, down.
 const uint kSides = 6u;
 
@@ -73,9 +71,8 @@ void main() {
       rises[n].of[q] = share * (there.of[q] - here.of[q]);
     }
   }
-  for (uint r = 0u; r < kRings; r++) {
+  for (uint r = 0u; r < kCloudRings; r++) {
     float z = ordinates.values[8u * r].direction.z;
-    float way = cell.z / abs(z);
     bool turned = ring_is_turned(z);
     CloudRing source = ring_of(here, turned, z);
     CloudRing slope;
@@ -85,7 +82,9 @@ void main() {
     for (uint n = 0u; n < kSides; n++) {
       CloudRing rise = ring_of(rises[n], turned, z);
       UNROLL for (uint a = 0u; a < 8u; a++) {
-        slope.of[a] += way * max(along(ordinates.values[8u * r + a].direction, n), 0.0) * rise.of[a];
+        vec3 direction = ordinates.values[8u * r + a].direction;
+        float way = sweep_way(direction, cell, sweep_axis(direction, cell * vec3(size), cell));
+        slope.of[a] += way * max(along(direction, n), 0.0) * rise.of[a];
       }
     }
     UNROLL for (uint a = 0u; a < 8u; a++) {

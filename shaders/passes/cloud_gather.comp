@@ -18,8 +18,6 @@ layout(push_constant, scalar) uniform Push {
   float momentum;
 };
 
-const uint kRings = 4u;
-
 void main() {
   if (gl_GlobalInvocationID.x >= count) {
     return;
@@ -29,7 +27,7 @@ void main() {
   UNROLL for (uint q = 0u; q < kCloudMoments; q++) {
     sums.of[q] = 0.0;
   }
-  for (uint r = 0u; r < kRings; r++) {
+  for (uint r = 0u; r < kCloudRings; r++) {
     CloudRing ring;
     UNROLL for (uint a = 0u; a < 8u; a++) {
       ring.of[a] = means.values[(8u * r + a) * cells + at];

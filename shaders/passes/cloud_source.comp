@@ -1,9 +1,14 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // What a cloud's coarse cells send, as an image of blocks side by side (shared/cloud_blocks.glsl): the sun's light by
-// harmonic, that of sky and ground in harmonics 0, 2 and 6, found on coarser cells.
+// harmonic, that of sky and ground in harmonics 0, 2 and 6, found on coarser cells. The picture looks up between cells,
+// and asks where there is water alone: a cell with little water takes the light of the water around it, so that the
+// clear air beside a cloud does not count as its surface. Light falls toward a base that the sun does not reach, and
+// grazing rays see no more than its last free path: a slice below the base, and one above the top, lie on the line
+// through the two cells above or below them.
 #include "shared/cloud_cells.glsl"
 #include "shared/cloud_blocks.glsl"
+#include "shared/cloud_coarser.glsl"
 
 layout(local_size_x = 64) in;
 layout(scalar, set = 0, binding = 2) readonly buffer Scattering { CloudScattering value; } scattering;
@@ -11,64 +16,130 @@ layout(scalar, set = 0, binding = 3) readonly buffer Sun { float values[]; } sun
 layout(scalar, set = 0, binding = 4) readonly buffer Sky { float values[]; } sky;
 layout(scalar, set = 0, binding = 5) readonly buffer Ground { float values[]; } ground;
 layout(set = 0, binding = 6, rgba32f) uniform writeonly image3D source_out;
+layout(scalar, set = 0, binding = 7) readonly buffer Cells { float values[]; } cells;  // extinction
+layout(scalar, set = 0, binding = 8) readonly buffer CoarserCells { float values[]; } coarser_cells;
 layout(push_constant, scalar) uniform Push {
   uvec3 size;
   uvec3 coarser;  // cells of sky and ground
 };
 
-// Places of the eight coarser cells around a place, and their shares.
-uint index_of(uvec3 cell) { return (cell.z * coarser.y + cell.y) * coarser.x + cell.x; }
+const float kAround = 0.1;       // what the water around a cell counts beside its own
+const float kLeastAtFace = 0.1;  // of a cell's light, the least that is left at the base or top
 
-float coarser_value(bool of_sky, uint q, uvec3 cell) {
-  uint all = coarser.x * coarser.y * coarser.z;
-  uint at = q * all + index_of(cell);
-  return of_sky ? sky.values[at] : ground.values[at];
+uint index_of(uvec3 cell, uvec3 counts) { return (cell.z * counts.y + cell.y) * counts.x + cell.x; }
+
+// Light of a cell and the water that it counts for.
+struct Lit {
+  vec4 light;
+  float water;
+};
+
+// Four harmonics of the sun's light in a cell.
+vec4 sunlit(uint first, uvec3 cell) {
+  uint count = size.x * size.y * size.z;
+  uint at = index_of(cell, size);
+  vec4 light;
+  UNROLL for (uint q = 0u; q < 4u; q++) {
+    light[q] = first + q < kCloudMoments ? sun.values[(first + q) * count + at] : 0.0;
+  }
+  return light;
 }
 
-float interpolated(bool of_sky, uint q, uvec3 cell) {
-  vec3 place = (vec3(cell) + 0.5) / vec3(size) * vec3(coarser) - 0.5;
-  place.z = clamp(place.z, 0.0, float(coarser.z - 1u));
-  vec3 low = floor(place);
-  vec3 part = place - low;
-  uvec3 near = uvec3(ivec3(low) + ivec3(coarser)) % coarser;
-  uvec3 far = (near + 1u) % coarser;
-  near.z = uint(low.z);
-  far.z = min(near.z + 1u, coarser.z - 1u);
-  float sum = 0.0;
+// The same among the water around.
+vec4 sunlit_water(uint first, uvec3 cell) {
+  float own = cells.values[index_of(cell, size)];
+  vec4 sum = vec4(0.0);
+  float water = 0.0;
+  for (uint n = 0u; n < 27u; n++) {
+    uvec3 near = cell + uvec3(n % 3u, n / 3u % 3u, n / 9u);  // one too far on each axis
+    if (near.z == 0u || near.z > size.z) {
+      continue;
+    }
+    near = uvec3((near.xy + size.xy - 1u) % size.xy, near.z - 1u);
+    float there = cells.values[index_of(near, size)];
+    if (there > 0.0) {
+      sum += there * sunlit(first, near);
+      water += there;
+    }
+  }
+  vec4 here = sunlit(first, cell);
+  float share = own / max(own + kAround * water / 27.0, 1e-20);
+  return water > 0.0 ? mix(sum / water, here, share) : here;
+}
+
+// Harmonics 0, 2 and 6 of the light of sky or ground, between the coarser cells by the water that they hold.
+vec3 even_light(bool of_sky, uvec3 cell) {
+  EightCells around = coarser_cells_around(cell, size, coarser);
+  uint count = coarser.x * coarser.y * coarser.z;
+  vec3 sum = vec3(0.0);
+  float water = 0.0;
   for (uint n = 0u; n < 8u; n++) {
-    bvec3 is_far = bvec3((n & 1u) != 0u, (n & 2u) != 0u, (n & 4u) != 0u);
-    vec3 share = mix(1.0 - part, part, is_far);
-    sum += share.x * share.y * share.z * coarser_value(of_sky, q, mix(near, far, is_far));
+    uint at = coarser_cell(around, coarser, n);
+    float weight = coarser_share(around, n) * max(coarser_cells.values[at], kDrySpace);
+    sum += weight * (of_sky ? vec3(sky.values[at], sky.values[2u * count + at], sky.values[6u * count + at])
+                            : vec3(ground.values[at], ground.values[2u * count + at], ground.values[6u * count + at]));
+    water += weight;
   }
-  return sum;
+  return sum / water;
 }
 
-float sun_value(uint q, uvec3 cell) { return sun.values[((q * size.z + cell.z) * size.y + cell.y) * size.x + cell.x]; }
-
-float value_of(uint i, uvec3 cell) {
+float kept(uint i) {
   if (i < kCloudSky) {
-    return scattering.value.kept[i] * sun_value(i, cell);
-  }
-  if (i >= kCloudGround + 3u) {
-    return 0.0;
+    return scattering.value.kept[i];
   }
   uint rest = (i - kCloudSky) % 3u;
-  uint q = rest == 0u ? 0u : (rest == 1u ? 2u : 6u);
-  return scattering.value.kept[q] * interpolated(i < kCloudGround, q, cell);
+  return scattering.value.kept[rest == 0u ? 0u : (rest == 1u ? 2u : 6u)];
+}
+
+// The four values of a block in a cell.
+vec4 light_of(uint block, uvec3 cell) {
+  uint first = 4u * block;
+  vec4 light = first < kCloudSky ? sunlit_water(first, cell) : vec4(0.0);
+  if (first + 3u >= kCloudSky) {
+    vec3 of_sky = even_light(true, cell);
+    vec3 of_ground = even_light(false, cell);
+    UNROLL for (uint q = 0u; q < 4u; q++) {
+      uint i = first + q;
+      if (i >= kCloudSky && i < kCloudGround) {
+        light[q] = of_sky[i - kCloudSky];
+      } else if (i >= kCloudGround) {
+        light[q] = i < kCloudGround + 3u ? of_ground[i - kCloudGround] : 0.0;
+      }
+    }
+  }
+  UNROLL for (uint q = 0u; q < 4u; q++) {
+    light[q] *= first + q < kCloudGround + 3u ? kept(first + q) : 0.0;
+  }
+  return light;
+}
+
+// By how much of the difference between a cell and the next one inward a line beyond it goes on.
+float goes_on(float here, float inner) {
+  return inner > here ? min(1.0, 2.0 * (1.0 - kLeastAtFace) * max(here, 0.0) / (inner - here)) : 1.0;
 }
 
 void main() {
   uvec3 at = gl_GlobalInvocationID;
   uint columns = size.x + 1u;
-  if (at.x >= columns * kCloudBlocks || at.y > size.y || at.z >= size.z) {
+  if (at.x >= columns * kCloudBlocks || at.y > size.y || at.z >= size.z + 2u) {
     return;
   }
   uint block = at.x / columns;
-  uvec3 cell = uvec3((at.x % columns + size.x - 1u) % size.x, (at.y + size.y - 1u) % size.y, at.z);
-  vec4 texel;
-  texel.x = value_of(4u * block, cell);
-  texel.y = value_of(4u * block + 1u, cell);
-  texel.z = value_of(4u * block + 2u, cell);
-  texel.w = value_of(4u * block + 3u, cell);
-  imageStore(source_out, ivec3(at), texel);
+  uvec3 cell = uvec3((at.x % columns + size.x - 1u) % size.x, (at.y + size.y - 1u) % size.y,
+                     clamp(at.z, 1u, size.z) - 1u);
+  vec4 light = light_of(block, cell);
+  if (cell.z + 1u != at.z && size.z > 1u) {
+    uvec3 inner = uvec3(cell.xy, cell.z == 0u ? 1u : size.z - 2u);
+    if (cells.values[index_of(cell, size)] > 0.0 && cells.values[index_of(inner, size)] > 0.0) {
+      float of_sun = goes_on(sunlit_water(0u, cell).x, sunlit_water(0u, inner).x);
+      float of_sky = goes_on(even_light(true, cell).x, even_light(true, inner).x);
+      float of_ground = goes_on(even_light(false, cell).x, even_light(false, inner).x);
+      vec4 change = light - light_of(block, inner);
+      UNROLL for (uint q = 0u; q < 4u; q++) {
+        uint i = 4u * block + q;
+        light[q] += change[q] * (i < kCloudSky ? of_sun : (i < kCloudGround ? of_sky : of_ground));
+      }
+    }
+  }
+  imageStore(source_out, ivec3(at), light);
 }

@@ -73,11 +73,11 @@ void main() {
   for (uint o = 0u; o < kCloudOrdinates; o++) {
     CloudOrdinate ordinate = ordinates.values[o];
     vec3 leaving = vec3(0.0);
-    uint first = (2u * o + (c.coarse_z & 1u)) * plane;
+    uint first = o * plane;
     for (uint at = thread; at < plane; at += 256u) {
       leaving.x += sun_planes.values[first + at] * ordinate.weight / float(plane);
     }
-    first = (2u * o + (coarser.z & 1u)) * coarser_plane;
+    first = o * coarser_plane;
     for (uint at = thread; at < coarser_plane; at += 256u) {
       leaving.y += sky_planes.values[first + at] * ordinate.weight / float(coarser_plane);
       leaving.z += ground_planes.values[first + at] * ordinate.weight / float(coarser_plane);

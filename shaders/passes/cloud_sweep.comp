@@ -1,54 +1,81 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Carries light through a cloud along each ordinate, layer by layer: one workgroup an ordinate.
+// Carries light through a cloud along each ordinate, plane by plane of cells across the axis of sweep_axis(): one
+// workgroup an ordinate. Level planes begin at the top or the base. Upright ones begin with the light that the sweep
+// before has left on the last of them, which is next to the first on the grid that repeats itself.
 #include "shared/cloud_cells.glsl"
 
-layout(local_size_x = 16, local_size_y = 16) in;
+layout(local_size_x = 16, local_size_y = 8) in;
 layout(scalar, set = 0, binding = 1) readonly buffer Ordinates { CloudOrdinate values[]; } ordinates;
 layout(scalar, set = 0, binding = 2) readonly buffer Cells { float values[]; } cells;  // scaled extinction, 1/km
 layout(scalar, set = 0, binding = 3) readonly buffer Sources { vec2 values[]; } sources;  // and their slopes
 layout(scalar, set = 0, binding = 4) writeonly buffer Means { float values[]; } means_out;
-layout(scalar, set = 0, binding = 5) coherent buffer Planes { float values[]; } planes;  // two an ordinate
+layout(scalar, set = 0, binding = 5) coherent buffer Fronts { float values[]; } fronts;  // two an ordinate
+layout(scalar, set = 0, binding = 6) writeonly buffer Planes { float values[]; } planes_out;
+layout(scalar, set = 0, binding = 7) readonly buffer Ground { float values[]; } ground;  // cloud_ground.comp
 layout(push_constant, scalar) uniform Push {
   uvec3 size;
-  vec3 cell;    // sides, km
-  float above;  // radiance that enters through the top
-  float below;  // likewise through the base
+  vec3 cell;     // sides, km
+  float above;   // radiance that enters through the top
+  float below;   // likewise through the base
+  uint sweep;    // counted from 0
+  uint longest;  // cells of the largest plane
+  uint uneven;   // 1: `below` is the mean of what the ground sends
 };
 
 void main() {
   uint ordinate = gl_WorkGroupID.x;
   vec3 direction = ordinates.values[ordinate].direction;
   bool up = direction.z > 0.0;
-  uint plane = size.x * size.y;
-  float way = cell.z / abs(direction.z);
-  // A ray through the middle of a cell comes from here in the layer before.
-  vec2 shift = -direction.xy * (way / cell.xy);
+  float outside = up ? below : above;
+  uint axis = sweep_axis(direction, cell * vec3(size), cell);
+  float way = sweep_way(direction, cell, axis);
+  uint u = axis == 0u ? 1u : 0u;  // axes of a plane
+  uint v = axis == 2u ? 1u : 2u;
+  uvec3 stride = uvec3(1u, size.x, size.x * size.y);
+  uint count = stride.z * size.z;
+  // A ray through the middle of a cell comes from here in the plane before.
+  vec2 shift = -vec2(direction[u] / cell[u], direction[v] / cell[v]) * way;
   vec2 whole = floor(shift);
   vec2 part = shift - whole;
-  uvec2 first = uvec2(whole - floor(whole / vec2(size.xy)) * vec2(size.xy)) % size.xy;
-  for (uint k = 0u; k < size.z; k++) {
-    uint layer = (up ? k : size.z - 1u - k) * plane;
-    uint rays = ordinate * (size.z * plane) + layer;
-    uint from = (2u * ordinate + (k & 1u)) * plane;
-    uint to = (2u * ordinate + (1u - (k & 1u))) * plane;
-    for (uint j = gl_LocalInvocationID.y; j < size.y; j += 16u) {
-      uint row = repeated(j + first.y, size.y);
-      uint near_row = from + row * size.x;
-      uint far_row = from + repeated(row + 1u, size.y) * size.x;
-      for (uint i = gl_LocalInvocationID.x; i < size.x; i += 16u) {
-        float entering = up ? below : above;
-        if (k > 0u) {
-          uint near = repeated(i + first.x, size.x);
-          uint far = repeated(near + 1u, size.x);
-          entering = mix(mix(planes.values[near_row + near], planes.values[near_row + far], part.x),
-                         mix(planes.values[far_row + near], planes.values[far_row + far], part.x), part.y);
+  uint first = uint(whole.x - floor(whole.x / float(size[u])) * float(size[u])) % size[u];
+  bool ends = v == 2u;  // rows end at top and base; else they repeat themselves
+  for (uint k = 0u; k < size[axis]; k++) {
+    uint layer = (direction[axis] > 0.0 ? k : size[axis] - 1u - k) * stride[axis];
+    uint turn = (sweep * size[axis] + k) & 1u;
+    uint from = (2u * ordinate + turn) * longest;
+    uint to = (2u * ordinate + 1u - turn) * longest;
+    bool enters = axis == 2u && k == 0u;
+    for (uint j = gl_LocalInvocationID.y; j < size[v]; j += 8u) {
+      int row = int(j) + int(whole.y);
+      bool near_out = ends && (row < 0 || row >= int(size[v]));
+      bool far_out = ends && (row + 1 < 0 || row + 1 >= int(size[v]));
+      int rows = int(size[v]);
+      uint near_row = from + uint(((row % rows) + rows) % rows) * size[u];
+      uint far_row = from + uint(((row + 1) % rows + rows) % rows) * size[u];
+      for (uint i = gl_LocalInvocationID.x; i < size[u]; i += 16u) {
+        uint at = layer + j * stride[v] + i * stride[u];
+        uint level = at / stride.z;
+        uint column = at - level * stride.z;
+        float beyond = outside;
+        if (uneven == 1u && up && level == 0u) {
+          beyond *= ground.values[(ordinate + 1u) * stride.z + column];
         }
-        uint at = j * size.x + i;
-        vec2 source = sources.values[rays + at];
-        CellLight light = through_cell(entering, source.x, source.y, cells.values[layer + at] * way);
-        means_out.values[rays + at] = light.mean;
-        planes.values[to + at] = light.leaving;
+        float entering = beyond;
+        if (!enters) {
+          uint near = repeated(i + first, size[u]);
+          uint far = repeated(near + 1u, size[u]);
+          float near_light = mix(fronts.values[near_row + near], fronts.values[near_row + far], part.x);
+          float far_light = mix(fronts.values[far_row + near], fronts.values[far_row + far], part.x);
+          entering = mix(near_out ? beyond : near_light, far_out ? beyond : far_light, part.y);
+        }
+        vec2 source = sources.values[ordinate * count + at];
+        CellLight light = through_cell(entering, source.x, source.y, cells.values[at] * way);
+        means_out.values[ordinate * count + at] = light.mean;
+        fronts.values[to + j * size[u] + i] = light.leaving;
+        if (level == (up ? size.z - 1u : 0u)) {
+          planes_out.values[ordinate * stride.z + column] = light.leaving;
+        }
       }
     }
     memoryBarrierBuffer();

@@ -97,5 +97,5 @@ CloudRing ring_of(CloudMoments m, bool turned, real z) {
   return ring;
 }
 
-// Whether a ring of ordinates is turned: the flat ones are.
-bool ring_is_turned(real z) { return abs(z) < 0.5; }
+// Whether a ring of ordinates is turned: the flattest and the steepest are.
+bool ring_is_turned(real z) { return abs(abs(z) - 0.5) > 0.2; }

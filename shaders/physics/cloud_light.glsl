@@ -46,6 +46,25 @@ real cloud_harmonic(uint i, vec3 d) {
   return 0.54627421529603959 * (x * x - y * y);
 }
 
+// The axis along which light of a direction is carried from cell to cell (0: x, 1: y, 2: z): that on which it crosses
+// the most cells. Carried from layer to layer alone, flat light would pass several cells in one step as if all were
+// the last. Where it goes round the repeating grid more often before it leaves by the top or the base, it is carried
+// along z all the same. `extent`, `cell`: km.
+uint sweep_axis(vec3 direction, vec3 extent, vec3 cell) {
+  const real kMostRounds = 4.0;
+  real x = abs(direction.x);
+  real y = abs(direction.y);
+  real z = abs(direction.z);
+  uint level = x / cell.x >= y / cell.y ? 0u : 1u;
+  real rounds = extent.z / z * (level == 0u ? x / extent.x : y / extent.y);
+  return max(x / cell.x, y / cell.y) > z / cell.z && rounds <= kMostRounds ? level : 2u;
+}
+
+// The way through a cell in its direction, km.
+real sweep_way(vec3 direction, vec3 cell, uint axis) {
+  return axis == 0u ? cell.x / abs(direction.x) : (axis == 1u ? cell.y / abs(direction.y) : cell.z / abs(direction.z));
+}
+
 struct CellLight {
   real mean;     // radiance, the mean along the way through the cell
   real leaving;  // at its far side

@@ -3,7 +3,8 @@
 // No include guard: C++ includes it once with real = float and once with real = double.
 
 const uint kCloudMoments = 9u;     // of degree 0 to 2
-const uint kCloudOrdinates = 32u;  // four zenith cosines of eight azimuths
+const uint kCloudRings = 6u;       // zenith cosines of ordinates
+const uint kCloudOrdinates = 48u;  // eight azimuths each
 
 const uint kCloudPeakRows = 24u;  // depths at which the table of the forward peak stands
 const uint kCloudMeanRows = 32u;  // slopes at which the table of a field's mean depth stands
@@ -12,6 +13,7 @@ const uint kCloudMeanRows = 32u;  // slopes at which the table of a field's mean
 struct CloudOrdinate {
   vec3 direction;
   real weight;                    // solid angle, sr
+  real lowest;                    // of the cosines of zenith angles that it stands for, as many as its weight says
   real harmonics[kCloudMoments];  // cloud_harmonic() of the direction
 };
 

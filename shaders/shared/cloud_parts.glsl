@@ -12,7 +12,8 @@ vec4 source_block(uint block, vec3 place) {
   float columns = float(c.coarse_x + 1u);
   float x = (float(block) * columns + cell_texel(place.x, c.coarse_x)) / (columns * float(kCloudBlocks));
   float y = cell_texel(place.y, c.coarse_y) / float(c.coarse_y + 1u);
-  return textureLod(cloud_source_lut, vec3(x, y, place.z), 0.0);
+  float z = (place.z * float(c.coarse_z) + 1.0) / float(c.coarse_z + 2u);  // a slice beyond base and top each
+  return textureLod(cloud_source_lut, vec3(x, y, z), 0.0);
 }
 
 CloudSource source_at(vec3 place) {

@@ -22,7 +22,7 @@ namespace {
 TEST(CloudPicture, LevelCloudsMeetAddingAndDoubling) {
   constexpr int kNodes = 24;
   for (const double depth : {0.5, 4.0, 16.0}) {
-    for (const int sun : {10, 20}) {
+    for (const int sun : {5, 10, 20}) {
       const Slab judge({depth, 1.0, henyey_greenstein_moments(kAsymmetryOfDrops, 48), 0.0}, kNodes, sun);
       const double mu_sun = judge.nodes()[static_cast<std::size_t>(sun)];
       double error = 0.0;
@@ -56,10 +56,12 @@ TEST(CloudPicture, LevelCloudsMeetAddingAndDoubling) {
       }
       std::printf("depth %4.1f, sun %.2f: bias %+.2f %%, mean relative error %.2f %%, near the sun at most %.1f %%\n",
                   depth, mu_sun, 100.0 * (found / expected - 1.0), 100.0 * error / count, 100.0 * near_sun);
-      // Thin clouds send little light to the sides, and harmonics of degree 2 do not hold it.
-      EXPECT_LT(error / count, depth < 1.0 ? 0.11 : 0.04) << depth << " " << sun;
-      EXPECT_NEAR(found / expected, 1.0, depth < 1.0 ? 0.06 : 0.025) << depth << " " << sun;
-      EXPECT_LT(near_sun, 0.09) << depth << " " << sun;
+      // Thin clouds send little light to the sides, and harmonics of degree 2 do not hold it. The light of a low sun
+      // ends in the uppermost part of the first layer of cells, all of which counts as lit.
+      const bool low = sun == 5;
+      EXPECT_LT(error / count, low ? 0.17 : depth < 1.0 ? 0.08 : 0.04) << depth << " " << sun;
+      EXPECT_NEAR(found / expected, 1.0, low ? 0.11 : depth < 1.0 ? 0.06 : 0.03) << depth << " " << sun;
+      EXPECT_LT(near_sun, low ? 0.14 : 0.09) << depth << " " << sun;
     }
   }
 }
