@@ -76,15 +76,16 @@ void main() {
     bool turned = ring_is_turned(z);
     CloudRing source = ring_of(here, turned, z);
     CloudRing slope;
-    UNROLL for (uint a = 0u; a < 8u; a++) {
+    float ways[8];
+    for (uint a = 0u; a < 8u; a++) {
+      vec3 direction = ordinates.values[8u * r + a].direction;
+      ways[a] = sweep_way(direction, cell, sweep_axis(direction, cell * vec3(size), cell));
       slope.of[a] = 0.0;
     }
     for (uint n = 0u; n < kSides; n++) {
       CloudRing rise = ring_of(rises[n], turned, z);
       UNROLL for (uint a = 0u; a < 8u; a++) {
-        vec3 direction = ordinates.values[8u * r + a].direction;
-        float way = sweep_way(direction, cell, sweep_axis(direction, cell * vec3(size), cell));
-        slope.of[a] += way * max(along(direction, n), 0.0) * rise.of[a];
+        slope.of[a] += ways[a] * max(along(ordinates.values[8u * r + a].direction, n), 0.0) * rise.of[a];
       }
     }
     UNROLL for (uint a = 0u; a < 8u; a++) {

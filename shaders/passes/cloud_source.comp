@@ -45,11 +45,12 @@ vec4 sunlit(uint first, uvec3 cell) {
   return light;
 }
 
-// The same among the water around.
+// The same among the water around, of its own level where there is some: light changes most upward.
 vec4 sunlit_water(uint first, uvec3 cell) {
-  float own = cells.values[index_of(cell, size)];
-  vec4 sum = vec4(0.0);
-  float water = 0.0;
+  vec4 level = vec4(0.0);
+  vec4 other = vec4(0.0);
+  float level_water = 0.0;
+  float other_water = 0.0;
   for (uint n = 0u; n < 27u; n++) {
     uvec3 near = cell + uvec3(n % 3u, n / 3u % 3u, n / 9u);  // one too far on each axis
     if (near.z == 0u || near.z > size.z) {
@@ -57,14 +58,20 @@ vec4 sunlit_water(uint first, uvec3 cell) {
     }
     near = uvec3((near.xy + size.xy - 1u) % size.xy, near.z - 1u);
     float there = cells.values[index_of(near, size)];
-    if (there > 0.0) {
-      sum += there * sunlit(first, near);
-      water += there;
+    if (there > 0.0 && near.z == cell.z) {
+      level += there * sunlit(first, near);
+      level_water += there;
+    } else if (there > 0.0 && level_water == 0.0) {
+      other += there * sunlit(first, near);
+      other_water += there;
     }
   }
   vec4 here = sunlit(first, cell);
-  float share = own / max(own + kAround * water / 27.0, 1e-20);
-  return water > 0.0 ? mix(sum / water, here, share) : here;
+  float own = cells.values[index_of(cell, size)];
+  if (level_water > 0.0) {
+    return mix(level / level_water, here, own / (own + kAround * level_water / 9.0));
+  }
+  return other_water > 0.0 ? other / other_water : here;
 }
 
 // Harmonics 0, 2 and 6 of the light of sky or ground, between the coarser cells by the water that they hold.
