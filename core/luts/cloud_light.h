@@ -27,8 +27,8 @@ struct CloudIncident {
   bool sun = false;
   double above = 0.0;
   double below = 0.0;
-  std::optional<BufferId> ground =
-      {};  // of passes/cloud_ground.comp: the light through the base over its mean, `below`
+  // What comes through the base along each ordinate over `below`, its mean (passes/cloud_ground.comp).
+  std::optional<BufferId> ground = {};
 };
 
 // The largest share of its light that a sweep leaves in the cloud, which Chebyshev's iteration is tuned to: from the
@@ -55,7 +55,7 @@ std::vector<ChebyshevStep> chebyshev_steps(double kept, int count);
 struct CloudField {
   BufferId extinction;  // of the cells, delta-scaled, 1/km
   BufferId moments;     // of the mean radiance in each cell: harmonic, cell
-  BufferId planes;      // what leaves the last layer along each ordinate: ordinate, two planes each
+  BufferId planes;      // what leaves the top or the base along each ordinate: ordinate, column
   BufferId means;       // radiance along each ordinate, the mean over a cell, after the last sweep: ordinate, cell
 };
 

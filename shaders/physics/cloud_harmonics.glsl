@@ -2,8 +2,9 @@
 // 22.5 from there, and the light that moments send into them: Fourier sums with the symmetry of the azimuths, then
 // harmonics up to degree 2.
 //
-// The rings of steep and of flat ordinates are turned against one another. Eight even azimuths send 2.6 % more light
-// than there is through a wall toward 22.5 degrees, or 5.2 % less through one toward 0; both together are right to 1 %.
+// The middle one of a hemisphere's three rings is turned against the two others. Eight even azimuths send 2.6 % more
+// light than there is through a wall toward 22.5 degrees, or 5.2 % less through one toward 0; the rings, of which the
+// middle one sends nearly half, offset this.
 
 const real kCosine = 0.92387953251128674;  // of 22.5 degrees
 const real kSine = 0.38268343236508977;
