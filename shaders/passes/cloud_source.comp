@@ -28,12 +28,6 @@ const float kLeastAtFace = 0.1;  // of a cell's light, the least that is left at
 
 uint index_of(uvec3 cell, uvec3 counts) { return (cell.z * counts.y + cell.y) * counts.x + cell.x; }
 
-// Light of a cell and the water that it counts for.
-struct Lit {
-  vec4 light;
-  float water;
-};
-
 // Four harmonics of the sun's light in a cell.
 vec4 sunlit(uint first, uvec3 cell) {
   uint count = size.x * size.y * size.z;
