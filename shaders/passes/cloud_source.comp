@@ -3,9 +3,9 @@
 // What a cloud's coarse cells send, as an image of blocks side by side (shared/cloud_blocks.glsl): the sun's light by
 // harmonic, that of sky and ground in harmonics 0, 2 and 6, found on coarser cells. The picture looks up between cells,
 // and asks where there is water alone: a cell with little water takes the light of the water around it, so that the
-// clear air beside a cloud does not count as its surface. Light falls toward a base that the sun does not reach, and
-// grazing rays see no more than its last free path: a slice below the base, and one above the top, lie on the line
-// through the two cells above or below them.
+// clear air beside a cloud does not count as its surface. Light falls toward sides and a base that the sun does not
+// reach, and grazing rays see no more than its last free path: what a cell takes from its neighbour on a level lies on
+// the line through that one and the next one inward, and so do a slice below the base and one above the top.
 #include "shared/cloud_cells.glsl"
 #include "shared/cloud_blocks.glsl"
 #include "shared/cloud_coarser.glsl"
@@ -23,8 +23,8 @@ layout(push_constant, scalar) uniform Push {
   uvec3 coarser;  // cells of sky and ground
 };
 
-const float kAround = 0.1;       // what the water around a cell counts beside its own
-const float kLeastAtFace = 0.1;  // of a cell's light, the least that is left at the base or top
+const float kAround = 0.25;      // what the water around a cell counts beside its own
+const float kLeastAtFace = 0.1;  // of a cell's light, the least that is left at the cloud's face
 
 uint index_of(uvec3 cell, uvec3 counts) { return (cell.z * counts.y + cell.y) * counts.x + cell.x; }
 
@@ -39,6 +39,20 @@ vec4 sunlit(uint first, uvec3 cell) {
   return light;
 }
 
+// By how much of the difference between a cell and the next one inward a line beyond it goes on.
+float goes_on(float here, float inner) {
+  return inner > here ? min(1.0, 2.0 * (1.0 - kLeastAtFace) * max(here, 0.0) / (inner - here)) : 1.0;
+}
+
+// The same a cell beyond `cell`, away from the cell `inner`: on the line through the two where both hold water.
+vec4 sunlit_beyond(uint first, uvec3 cell, uvec3 inner) {
+  vec4 light = sunlit(first, cell);
+  if (cells.values[index_of(inner, size)] > 0.0) {
+    light += (light - sunlit(first, inner)) * goes_on(sunlit(0u, cell).x, sunlit(0u, inner).x);
+  }
+  return light;
+}
+
 // The same among the water around, of its own level where there is some: light changes most upward.
 vec4 sunlit_water(uint first, uvec3 cell) {
   vec4 level = vec4(0.0);
@@ -46,14 +60,16 @@ vec4 sunlit_water(uint first, uvec3 cell) {
   float level_water = 0.0;
   float other_water = 0.0;
   for (uint n = 0u; n < 27u; n++) {
-    uvec3 near = cell + uvec3(n % 3u, n / 3u % 3u, n / 9u);  // one too far on each axis
+    uvec3 off = uvec3(n % 3u, n / 3u % 3u, n / 9u);  // one too far on each axis
+    uvec3 near = cell + off;
     if (near.z == 0u || near.z > size.z) {
       continue;
     }
     near = uvec3((near.xy + size.xy - 1u) % size.xy, near.z - 1u);
     float there = cells.values[index_of(near, size)];
     if (there > 0.0 && near.z == cell.z) {
-      level += there * sunlit(first, near);
+      uvec3 inner = uvec3((near.xy + off.xy + size.xy - 1u) % size.xy, near.z);
+      level += there * (inner == near ? sunlit(first, near) : sunlit_beyond(first, near, inner));
       level_water += there;
     } else if (there > 0.0 && level_water == 0.0) {
       other += there * sunlit(first, near);
@@ -112,11 +128,6 @@ vec4 light_of(uint block, uvec3 cell) {
     light[q] *= first + q < kCloudGround + 3u ? kept(first + q) : 0.0;
   }
   return light;
-}
-
-// By how much of the difference between a cell and the next one inward a line beyond it goes on.
-float goes_on(float here, float inner) {
-  return inner > here ? min(1.0, 2.0 * (1.0 - kLeastAtFace) * max(here, 0.0) / (inner - here)) : 1.0;
 }
 
 void main() {
