@@ -14,23 +14,6 @@
 namespace airlight::test {
 namespace {
 
-Cloud carved_cloud(CloudKind kind, double cover) {
-  Cloud cloud;
-  cloud.kind = kind;
-  cloud.cover = cover;
-  cloud.base = 1.0;
-  cloud.top = 2.0;
-  cloud.cell = 1.5;
-  cloud.period = 6.0;
-  cloud.detail = 0.1;
-  cloud.water = 0.1;
-  cloud.effective_radius = 10.0;
-  cloud.phase = CloudPhase::henyey_greenstein;
-  cloud.phase_g = 0.0;
-  cloud.single_scattering_albedo = 1e-3;
-  return cloud;
-}
-
 // A number of a sequence that is even over 0 to 1.
 double even(std::uint32_t n, std::uint32_t axis) {
   return hashed(n, axis, 0, 77);
@@ -190,29 +173,6 @@ TEST(CarvedClouds, CoarseCellsHoldTheLightOfTheirWater) {
   const double coarse = sum_with(8);  // the cloud begins and ends in the middle of a cell
   std::printf("half-empty cells: %+.2f %%\n", 100.0 * (coarse / fine - 1.0));
   EXPECT_NEAR(coarse / fine, 1.0, 0.12);
-}
-
-// A field of cumulus without air, of which all is seen above the horizon.
-Scene among_cumulus(double sun_elevation_deg, double cover) {
-  Scene scene = under_level_cloud(1.0, std::sin(radians(sun_elevation_deg)));
-  scene.planet.ground_radius = 6371.0;
-  scene.sun.azimuth = radians(130.0);
-  scene.image = {48, 27};
-  scene.camera.altitude = 0.1;
-  scene.camera.azimuth = radians(304.0);
-  scene.camera.pitch = radians(12.0);
-  scene.camera.vertical_fov = radians(38.0);
-  Cloud cloud = carved_cloud(CloudKind::cumulus, cover);
-  cloud.top = 2.4;
-  cloud.cell = 2.0;
-  cloud.period = 16.0;
-  cloud.detail = 0.05;
-  cloud.water = 0.2316;
-  cloud.shear = 0.2;
-  cloud.wind = radians(60.0);
-  cloud.single_scattering_albedo = 1.0;
-  scene.clouds = {cloud};
-  return scene;
 }
 
 double sum_of_picture(const Scene& scene) {
