@@ -89,6 +89,18 @@ CloudCells coarsened(const CloudCells& cells, std::uint32_t most_x, std::uint32_
   return out;
 }
 
+CloudCells with_lumps(CloudCells coarse, CloudCells fine, CellValues values) {
+  constexpr double kLumps = 0.02;  // chosen by pictures (core/CLOUDS.md)
+  std::ranges::transform(fine.extinction, fine.extinction.begin(), [](float value) { return value * value; });
+  const CloudCells squares = coarsened(fine, coarse.nx, coarse.ny, coarse.nz, values);
+  const auto lumpy = [](double mean, double square) {
+    const double variance = mean > 0.0 ? std::max(square / (mean * mean) - 1.0, 0.0) : 0.0;
+    return static_cast<float>(mean / (1.0 + kLumps * variance));
+  };
+  std::ranges::transform(coarse.extinction, squares.extinction, coarse.extinction.begin(), lumpy);
+  return coarse;
+}
+
 // The steps are the largest of the three distances along the axes, so each axis is searched by itself.
 std::vector<float> gaps_of(const CloudCells& cells) {
   constexpr float kMost = 64.0F;

@@ -76,7 +76,9 @@ struct CloudInputs {
 
 CloudCells coarse_cells(const CloudGrid& grid, TableSize most) {
   const auto across = static_cast<std::uint32_t>(most[0]);
-  return coarsened(cells_of(grid), across, across, static_cast<std::uint32_t>(most[1]), CellValues::middles);
+  CloudCells fine = cells_of(grid);
+  CloudCells coarse = coarsened(fine, across, across, static_cast<std::uint32_t>(most[1]), CellValues::middles);
+  return with_lumps(std::move(coarse), std::move(fine), CellValues::middles);
 }
 
 device::CloudData head_of(const CloudGrid& grid, const CloudCells& coarse, const CloudDrops& drops,

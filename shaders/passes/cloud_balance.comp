@@ -118,7 +118,8 @@ void main() {
   vec3 air_share = (beam * past + around * (light.air_below + fallen)) / sources;
   vec3 ground_share = on_ground * even_transmittance(max(depth_above(0.0) - depth_above(h), vec3(0.0)));
   ground_share = min(ground_share / max(base.below, vec3(1e-30)), vec3(1.0));
-  vec3 sent = base.below * mix(air_share, light.below, ground_share);
+  light.rising = mix(air_share, light.below, ground_share);
+  vec3 sent = base.below * light.rising;
   light.at_base.sun = sun_leaving / base.around;
   light.at_base.sky = from_sky / (2.0 * kPi) / base.around;
   light.at_base.ground = sent / (2.0 * kPi) / base.around;

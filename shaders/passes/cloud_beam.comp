@@ -9,6 +9,7 @@
 #include "shared/cloud_sunlight.glsl"
 
 const float kThinnest = 1e-6;  // depth of a part without water, so that its light counts where none has any
+const float kMostLevels = 4.0;  // of a part
 
 layout(local_size_x = 64) in;
 layout(scalar, set = 0, binding = 2) writeonly buffer Beam { float values[]; } beam_out;
@@ -22,19 +23,22 @@ void main() {
   }
   uvec3 cell = uvec3(at % cells.x, at / cells.x % cells.y, at / (cells.x * cells.y));
   uvec3 parts = (uvec3(c.fine_x, c.fine_y, c.fine_z) + cells - 1u) / cells;
-  // From a part's middle to its upper end, along the sun's ray.
-  float height = (c.top - c.base) / float(cells.z * parts.z);
+  // From a part's middle to where the sun's ray leaves it. A low sun's rays cross several parts from one level to the
+  // next: parts are then less high.
   vec3 rise = vec3(vec2(c.sunward_east, c.sunward_north) / vec2(c.width, c.depth), 1.0 / (c.top - c.base));
-  vec3 half_way = 0.5 * height * rise;
+  vec3 crossed = abs(rise) * vec3(cells * parts);
+  float across = max(crossed.x, crossed.y);
+  parts.z *= uint(clamp(ceil(across / crossed.z), 1.0, kMostLevels));
+  vec3 half_way = 0.5 * rise / max(across, rise.z * float(cells.z * parts.z));
   float depth = 0.0;
   float taken = 0.0;
   for (uint i = 0u; i < parts.x * parts.y * parts.z; i++) {
     vec3 part = vec3(i % parts.x, i / parts.x % parts.y, i / (parts.x * parts.y)) + 0.5;
     vec3 place = (vec3(cell) + part / vec3(parts)) / vec3(cells);
     float above = c.scale * sun_depth_at(place + half_way);
-    float across = max(c.scale * sun_depth_at(place - half_way) - above, kThinnest);
-    depth += across;
-    taken += exp(-above) * across * mean_transmittance(across);
+    float met = max(c.scale * sun_depth_at(place - half_way) - above, kThinnest);
+    depth += met;
+    taken += exp(-above) * met * mean_transmittance(met);
   }
   beam_out.values[at] = taken / depth;
 }

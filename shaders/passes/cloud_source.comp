@@ -23,7 +23,7 @@ layout(push_constant, scalar) uniform Push {
   uvec3 coarser;  // cells of sky and ground
 };
 
-const float kAround = 0.25;      // what the water around a cell counts beside its own
+const float kAround = 0.5;       // what the water around a cell counts beside its own
 const float kLeastAtFace = 0.1;  // of a cell's light, the least that is left at the cloud's face
 
 uint index_of(uvec3 cell, uvec3 counts) { return (cell.z * counts.y + cell.y) * counts.x + cell.x; }

@@ -34,11 +34,8 @@ void main() {
   uint v = axis == 2u ? 1u : 2u;
   uvec3 stride = uvec3(1u, size.x, size.x * size.y);
   uint count = stride.z * size.z;
-  // A ray through the middle of a cell comes from here in the plane before.
+  // A ray comes from here in the plane before, in cells.
   vec2 shift = -vec2(direction[u] / cell[u], direction[v] / cell[v]) * way;
-  vec2 whole = floor(shift);
-  vec2 part = shift - whole;
-  uint first = uint(whole.x - floor(whole.x / float(size[u])) * float(size[u])) % size[u];
   bool ends = v == 2u;  // rows end at top and base; else they repeat themselves
   for (uint k = 0u; k < size[axis]; k++) {
     uint layer = (direction[axis] > 0.0 ? k : size[axis] - 1u - k) * stride[axis];
@@ -46,28 +43,24 @@ void main() {
     uint from = (2u * ordinate + turn) * longest;
     uint to = (2u * ordinate + 1u - turn) * longest;
     bool enters = axis == 2u && k == 0u;
+    int row_before = int(sweep_move(shift.y, k));
+    int rows = int(size[v]);
+    int columns = int(size[u]);
+    uint first = uint((int(sweep_move(shift.x, k)) % columns + columns) % columns);
     for (uint j = gl_LocalInvocationID.y; j < size[v]; j += 8u) {
-      int row = int(j) + int(whole.y);
-      bool near_out = ends && (row < 0 || row >= int(size[v]));
-      bool far_out = ends && (row + 1 < 0 || row + 1 >= int(size[v]));
-      int rows = int(size[v]);
-      uint near_row = from + uint(((row % rows) + rows) % rows) * size[u];
-      uint far_row = from + uint(((row + 1) % rows + rows) % rows) * size[u];
+      int row = int(j) + row_before;
+      bool from_outside = enters || (ends && (row < 0 || row >= rows));
+      uint near = from + uint((row % rows + rows) % rows) * size[u];
       for (uint i = gl_LocalInvocationID.x; i < size[u]; i += 16u) {
         uint at = layer + j * stride[v] + i * stride[u];
         uint level = at / stride.z;
         uint column = at - level * stride.z;
-        float beyond = outside;
+        float entering = outside;
         if (uneven == 1u && up && level == 0u) {
-          beyond *= ground.values[(ordinate + 1u) * stride.z + column];
+          entering *= ground.values[(ordinate + 1u) * stride.z + column];
         }
-        float entering = beyond;
-        if (!enters) {
-          uint near = repeated(i + first, size[u]);
-          uint far = repeated(near + 1u, size[u]);
-          float near_light = mix(fronts.values[near_row + near], fronts.values[near_row + far], part.x);
-          float far_light = mix(fronts.values[far_row + near], fronts.values[far_row + far], part.x);
-          entering = mix(near_out ? beyond : near_light, far_out ? beyond : far_light, part.y);
+        if (!from_outside) {
+          entering = fronts.values[near + repeated(i + first, size[u])];
         }
         vec2 source = sources.values[ordinate * count + at];
         CellLight light = through_cell(entering, source.x, source.y, cells.values[at] * way);

@@ -65,6 +65,13 @@ real sweep_way(vec3 direction, vec3 cell, uint axis) {
   return axis == 0u ? cell.x / abs(direction.x) : (axis == 1u ? cell.y / abs(direction.y) : cell.z / abs(direction.z));
 }
 
+// Cells that rays move by along an axis of the planes that a sweep crosses, from the plane before to the plane that is
+// the n-th from 0: whole ones, so that every ray goes from cell to cell and no light spreads beside it. `shift`: the
+// cells that they move by in truth.
+real sweep_move(real shift, uint n) {
+  return floor(shift * (real(n) + 0.5) + 0.5) - floor(shift * (real(n) - 0.5) + 0.5);
+}
+
 struct CellLight {
   real mean;     // radiance, the mean along the way through the cell
   real leaving;  // at its far side

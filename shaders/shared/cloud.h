@@ -69,12 +69,13 @@ struct CloudAround {
 
 // The light below and above a cloud, over that of a clear sky.
 struct CloudLight {
-  vec3 below;      // all light that ground and base get from above
-  vec3 air_below;  // light from all around that is not the sun's, below the cloud, the mean of the field
-  vec3 air_above;  // likewise above it
-  real direct;     // of the sun's light, the share that passes through unscattered
-  real forward;    // likewise unscattered or scattered forward alone (CloudData::turning)
-  vec3 above;      // what it adds to light from below on planes above it, over all light from above there
+  vec3 below;         // all light that ground and base get from above
+  vec3 rising;        // light from below at the base, which ground and air send
+  vec3 air_below;     // light from all around that is not the sun's, below the cloud, the mean of the field
+  vec3 air_above;     // likewise above it
+  real direct;        // of the sun's light, the share that passes through unscattered
+  real forward;       // likewise unscattered or scattered forward alone (CloudData::turning)
+  vec3 above;         // what it adds to light from below on planes above it, over all light from above there
   CloudAround under;  // below the cloud, at its base, and at its top
   CloudAround at_base;
   CloudAround at_top;

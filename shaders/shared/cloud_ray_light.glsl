@@ -100,12 +100,15 @@ CloudColour colour_at(AirRay of, float t) {
   RayPoint point = sunlit_among_things(scene.planet, of.ray, t);
   float height = mix(cloud().base, cloud().top, 0.7);
   float h = optical_altitude_at(height);
-  MomentCoordinate at = air_moment_coordinate(scene.moments, h, point.mu_sun);
   CloudColour colour;
   colour.t = t;
   colour.sun = transmittance_to_sun(scene.planet, h, point.mu_sun);
-  colour.sky = level_irradiance(at, 1.0) / kPi;
-  colour.ground = level_irradiance(at, -1.0) / kPi * light_of_cloud().below;
+  // Light comes from above the top and from below the base. The air in between lights no cloud: most of what it sends
+  // to a level plane comes from far away, along ways that the next cloud ends.
+  MomentCoordinate over = air_moment_coordinate(scene.moments, optical_altitude_at(cloud().top), point.mu_sun);
+  MomentCoordinate under = air_moment_coordinate(scene.moments, optical_altitude_at(cloud().base), point.mu_sun);
+  colour.sky = level_irradiance(over, 1.0) / kPi;
+  colour.ground = level_irradiance(under, -1.0) / kPi * light_of_cloud().rising;
   if (kFields > 1u) {
     // What the other fields scatter forward lights the cloud as the sun does. Of the sun's light counts what they leave
     // of it here; all else is even over the sky, and its mean is taken.

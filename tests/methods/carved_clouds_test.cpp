@@ -197,7 +197,7 @@ TEST(CarvedClouds, AFieldIsAsBrightAsByPathTrace) {
   scene.render.parameters.find("cloud_resolution")->second = std::string("full");
   const double ratio = sum_of_picture(scene) / sum_of_picture(traced(scene, 32));
   std::printf("a field of cumulus: %+.2f %%\n", 100.0 * (ratio - 1.0));
-  EXPECT_NEAR(ratio, 1.0, 0.07);
+  EXPECT_NEAR(ratio, 1.0, 0.05);
 }
 
 // Sums of green over blocks of pixels.
@@ -245,7 +245,50 @@ TEST(CarvedClouds, ShadedSidesAreDark) {
   const double bright = ratio(3 * seen.size() / 4, seen.size());
   std::printf("%zu blocks, the darkest quarter %+.1f %%, the brightest %+.1f %%\n", seen.size(), 100.0 * (dark - 1.0),
               100.0 * (bright - 1.0));
-  EXPECT_LT(dark / bright, 1.18);
+  EXPECT_LT(dark / bright, 1.14);
+}
+
+// Clouds are lit by the sky from above their tops and by ground and air from below their bases. The air between tops
+// and bases is shaded and ends at the next cloud: were all that it sends to a level plane counted too, the darkest
+// third of a field's pixels under a low sun would be 14 % too bright in green and blue.
+TEST(CarvedClouds, ShadeInAirIsDark) {
+  Scene scene = with_method(earth(), *find_method("orders"));
+  scene.sun.elevation = radians(12.0);
+  scene.sun.azimuth = radians(130.0);
+  scene.sun.disc.visible = false;
+  scene.camera.altitude = 0.1;
+  scene.camera.azimuth = radians(180.0);
+  scene.camera.pitch = radians(24.0);
+  scene.camera.vertical_fov = radians(40.0);
+  scene.planet.ground_albedo = {0.07, 0.09, 0.05};
+  scene.image = {24, 14};
+  const std::vector<float> clear = rgb_of(render_now(scene).radiance.rgba);
+  scene.clouds = among_cumulus(12.0, 0.35).clouds;
+  scene.clouds.front().seed = 13;
+  scene.clouds.front().phase_g = kAsymmetryOfDrops;
+  scene.render.parameters.find("cloud_resolution")->second = std::string("full");
+  const std::vector<float> found = rgb_of(render_now(scene).radiance.rgba);
+  const std::vector<float> truth = rgb_of(render_now(traced(scene, 96)).radiance.rgba);
+  scene.clouds.front().single_scattering_albedo = 0.0;
+  const std::vector<float> black = rgb_of(render_now(scene).radiance.rgba);
+  std::vector<std::size_t> clouds;  // pixels
+  for (std::size_t i = 0; i < found.size() / 3; ++i) {
+    if (black[3 * i] < 0.35F * clear[3 * i]) {
+      clouds.push_back(i);
+    }
+  }
+  std::ranges::sort(clouds, {}, [&](std::size_t i) { return found[3 * i + 1]; });
+  for (std::size_t c = 0; c < 3; ++c) {
+    double sum = 0.0;
+    double expected = 0.0;
+    for (std::size_t n = 0; n < clouds.size() / 3; ++n) {
+      sum += static_cast<double>(found[3 * clouds[n] + c]);
+      expected += static_cast<double>(truth[3 * clouds[n] + c]);
+    }
+    std::printf("the darkest third of %zu pixels, channel %zu: %+.1f %%\n", clouds.size(), c,
+                100.0 * (sum / expected - 1.0));
+    EXPECT_NEAR(sum / expected, 1.0, c == 0 ? 0.18 : 0.11) << c;
+  }
 }
 
 // What bright ground adds to a dense field, whose shadows lie on the ground below it. It would be nearly twice as much,

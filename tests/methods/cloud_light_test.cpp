@@ -336,7 +336,7 @@ double host_slope(const CloudCells& c, const std::vector<double>& source, const 
   return std::clamp(slope * way, -most, most);
 }
 
-// Light that leaves the planes of cells along an ordinate, between the rays through the cells' middles.
+// Light that leaves the planes of cells along an ordinate.
 struct HostFront {
   std::array<std::uint32_t, 2> counts;
   bool ends;  // rows do not repeat themselves; beyond them is `outside`
@@ -351,12 +351,6 @@ struct HostFront {
       return outside;
     }
     return light[repeated(row, counts[1]) * counts[0] + repeated(column, counts[0])];
-  }
-  double between(double column, double row) const {
-    const double i = std::floor(column);
-    const double j = std::floor(row);
-    const auto mixed = [&](double at) { return value(i, at) * (1.0 - column + i) + value(i + 1.0, at) * (column - i); };
-    return mixed(j) * (1.0 - row + j) + mixed(j + 1.0) * (row - j);
   }
 };
 
@@ -386,9 +380,10 @@ std::vector<double> host_sweep(const Solved& s, const CloudIncident& incident,
       for (std::size_t at = 0; at < std::size_t{counts.at(u)} * counts.at(v); ++at) {
         const auto column = static_cast<double>(at % counts.at(u));
         const auto row = static_cast<double>(at / counts.at(u));
-        const double entering = axis == 2 && n == 0 ? front.outside
-                                                    : front.between(column - parts.at(u) * way / cells.at(u),
-                                                                    row - parts.at(v) * way / cells.at(v));
+        const double entering = axis == 2 && n == 0
+                                    ? front.outside
+                                    : front.value(column + p.sweep_move(-parts.at(u) * way / cells.at(u), n),
+                                                  row + p.sweep_move(-parts.at(v) * way / cells.at(v), n));
         const std::size_t plane = parts.at(axis) > 0.0 ? n : counts.at(axis) - 1 - n;
         const std::size_t cell =
             plane * strides.at(axis) + at % counts.at(u) * strides.at(u) + at / counts.at(u) * strides.at(v);
