@@ -37,15 +37,15 @@ void main() {
   }
   vec2 uv = (vec2(texel) + 0.5) / vec2(size);
   vec3 grid[9];
-  for (int i = 0; i < 9; i++) {
-    grid[i] = tap_at(uv, float(i % 3 - 1) * 2.0, float(i / 3 - 1) * 2.0);
+  for (uint i = 0u; i < 9u; i++) {
+    grid[i] = tap_at(uv, float(i % 3u) * 2.0 - 2.0, float(i / 3u) * 2.0 - 2.0);
   }
   vec3 middle = 0.25 * (tap_at(uv, -1.0, -1.0) + tap_at(uv, 1.0, -1.0) + tap_at(uv, -1.0, 1.0) + tap_at(uv, 1.0, 1.0));
   float weight = 0.5 * box_weight(middle);
   vec3 sum = middle * weight;
-  for (int i = 0; i < 4; i++) {
-    int corner = i % 2 + 3 * (i / 2);
-    vec3 box = 0.25 * (grid[corner] + grid[corner + 1] + grid[corner + 3] + grid[corner + 4]);
+  for (uint i = 0u; i < 4u; i++) {
+    uint corner = i % 2u + 3u * (i / 2u);
+    vec3 box = 0.25 * (grid[corner] + grid[corner + 1u] + grid[corner + 3u] + grid[corner + 4u]);
     float w = 0.125 * box_weight(box);
     sum += box * w;
     weight += w;

@@ -23,6 +23,10 @@ layout(push_constant, scalar) uniform Push {
   uint uneven;   // 1: `below` is the mean of what the ground sends
 };
 
+// A whole number of cells, counted on round a grid that repeats itself. (The remainder of a negative integer is not
+// defined in SPIR-V.)
+uint round_the_grid(float cells, uint count) { return uint(cells - floor(cells / float(count)) * float(count)) % count; }
+
 void main() {
   uint ordinate = gl_WorkGroupID.x;
   vec3 direction = ordinates.values[ordinate].direction;
@@ -43,14 +47,13 @@ void main() {
     uint from = (2u * ordinate + turn) * longest;
     uint to = (2u * ordinate + 1u - turn) * longest;
     bool enters = axis == 2u && k == 0u;
-    int row_before = int(sweep_move(shift.y, k));
-    int rows = int(size[v]);
-    int columns = int(size[u]);
-    uint first = uint((int(sweep_move(shift.x, k)) % columns + columns) % columns);
+    vec2 moved = vec2(sweep_move(shift.x, k), sweep_move(shift.y, k));
+    uint first = round_the_grid(moved.x, size[u]);
+    uint first_row = round_the_grid(moved.y, size[v]);
     for (uint j = gl_LocalInvocationID.y; j < size[v]; j += 8u) {
-      int row = int(j) + row_before;
-      bool from_outside = enters || (ends && (row < 0 || row >= rows));
-      uint near = from + uint((row % rows + rows) % rows) * size[u];
+      float row = float(j) + moved.y;
+      bool from_outside = enters || (ends && (row < 0.0 || row >= float(size[v])));
+      uint near = from + repeated(j + first_row, size[v]) * size[u];
       for (uint i = gl_LocalInvocationID.x; i < size[u]; i += 16u) {
         uint at = layer + j * stride[v] + i * stride[u];
         uint level = at / stride.z;
