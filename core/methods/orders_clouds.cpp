@@ -50,6 +50,7 @@ ImageId add_air_shade(Plan& plan, const Part& part, const View& view, const Ligh
   const ImageId shafts = plan.add_image(
       {.name = "cloud_shafts", .extent = grid, .key = picture_table_key(view, "cloud_shafts"), .half = true});
   std::vector<Specialization> constants = sunlight_specialization(plan, part.air, light.transmittance);
+  add_moment_constants(constants, settings_of(part));
   add_volume_constants(constants, part.scene, table);
   constants.insert(constants.end(), highest.constants.begin(), highest.constants.end());
   constants.push_back({"kProjection", projection_code(part.scene.camera.projection)});
@@ -115,6 +116,7 @@ CloudPicture picture_of_clouds(Plan& plan, const Part& part, const View& view, s
   clear.push_back(picture.reads.front());
   std::ranges::copy_if(air, std::back_inserter(clear),
                        [](const Binding& read) { return read.name == "volume_lut" || read.name == "extinction_lut"; });
+  clear.push_back({"moments_lut", light.moments});
   const bool froxels = by_froxels(part, view, clouds.front().grid->top);
   picture.reads.insert(picture.reads.end(), air.begin(), air.end());
   picture.reads.push_back(

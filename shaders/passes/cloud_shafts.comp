@@ -4,6 +4,9 @@
 // column of froxels, slice by slice away from the camera.
 #include "shared/device.glsl"
 #include "shared/tables.glsl"
+#include "shared/moment_table.glsl"
+#include "physics/shells.glsl"
+#include "physics/cloud_air.glsl"
 #include "shared/sky_table.glsl"
 #include "physics/sky_table.glsl"
 #include "physics/space_table.glsl"

@@ -14,3 +14,6 @@ float around_level(CloudData c, float height, uint levels) {
 
 // The share of a clear sky's light at a place with so much light of sun, sky and ground.
 vec3 share_around(CloudAround a, vec3 light) { return a.rest + a.sun * light.x + a.sky * light.y + a.ground * light.z; }
+
+// The part of it that is sunlight from the cloud: air scatters it as if it came from all directions alike.
+vec3 even_around(CloudAround a, vec3 light) { return a.sun * light.x; }

@@ -7,10 +7,17 @@ const float kRim = 0.1;  // of the grid of a cloud that stands alone, over which
 
 CloudLight light_of_cloud() { return cloud_light.values[kField]; }
 
-// Share of the air's light scattered more than once at a place of the grid. Above the cloud it passes over to the mean
-// of the field within the field's height, and what the cloud changes fades in the air between: a curve near E_2 of the
-// depth up to there. Around a cloud that stands alone the sky is clear.
-vec3 more_light_at(vec3 place) {
+// Shares of the air's light scattered more than once.
+struct MoreLight {
+  vec3 share;  // that is left or added
+  vec3 even;   // the part of it whose light comes from all directions alike
+};
+
+// At a place of the grid. Above the cloud the share passes over to the mean of the field within the field's height, and
+// what the cloud changes fades in the air between: a curve near E_2 of the depth up to there. Around a cloud that stands
+// alone the sky is clear.
+
+MoreLight more_light_at(vec3 place) {
   CloudData c = cloud();
   vec3 size = vec3(textureSize(cloud_around_lut, 0));
   float level = around_level(c, place.z, uint(size.z));
@@ -20,10 +27,16 @@ vec3 more_light_at(vec3 place) {
   float height = clamp(place.z, 0.0, 1.0);
   vec3 within = mix(share_around(of.at_base, light), share_around(of.at_top, light), height);
   vec3 local = mix(share_around(of.under, light), within, clamp(level - float(kLevelsBelow) + 1.0, 0.0, 1.0));
+  vec3 even = mix(even_around(of.at_base, light), even_around(of.at_top, light), height);
+  even = mix(even_around(of.under, light), even, clamp(level - float(kLevelsBelow) + 1.0, 0.0, 1.0));
+  even *= 1.0 - clamp(place.z - 1.0, 0.0, 1.0);
   vec3 share = mix(local, of.air_above, clamp(place.z - 1.0, 0.0, 1.0));
   float risen = 1.0 - exp(-max(place.z - 1.0, 0.0) * (c.top - c.base) / of.scale_height);
   vec3 left = vec3(1.0) - of.fading * (risen * (1.6 - 0.6 * risen));
   vec2 inside = min(place.xy, 1.0 - place.xy) / kRim;
   float counts = c.repeats != 0u ? 1.0 : smoothstep(0.0, 1.0, min(inside.x, inside.y));
-  return vec3(1.0) + (share - 1.0) * (counts * left);
+  MoreLight more;
+  more.share = vec3(1.0) + (share - 1.0) * (counts * left);
+  more.even = min(even * (counts * left), more.share);
+  return more;
 }

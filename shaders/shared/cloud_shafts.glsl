@@ -7,6 +7,7 @@
 struct ClearAir {
   vec3 once;
   vec3 more;  // scattered more than once
+  vec3 open;  // the same where no things stand
   vec3 depth;
 };
 
@@ -18,6 +19,7 @@ ClearAir clear_air_up_to(Ray ray, FactorPlace at, float distance_) {
   float w = texel_from_unit(z, float(kSlices));
   vec3 gathered = air.depth * segment_transfer(air.depth).mean;
   air.more = fetch_block(diffuse_block(), at, w) * volume_carrier(at.nu) * gathered;
+  air.open = air.more;
   air.once = vec3(0.0);
   UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
     air.once += scatters(i) ? fetch_block(single_block(i), at, w) * (medium_phase(i, at.nu) * gathered) : vec3(0.0);
@@ -49,9 +51,21 @@ ShadedAir no_shaded_air() {
   air.distance_ = 0.0;
   air.clear.once = vec3(0.0);
   air.clear.more = vec3(0.0);
+  air.clear.open = vec3(0.0);
   air.clear.depth = vec3(0.0);
   air.left = vec3(0.0);
   return air;
+}
+
+// What the air of a stretch would send, were a clear sky's light as bright in all directions, over what it sends. A clear
+// sky is brightest around the sun, and haze turns light little.
+vec3 evenness(Ray ray, ShadedAir air, ClearAir next, float to) {
+  const float kMost = 4.0;
+  RayPoint point = sunlit_among_things(scene.planet, ray, 0.5 * (air.distance_ + to));
+  vec3 around = light_from_all_around(air_moment_coordinate(scene.moments, point.h, point.mu_sun)) / (4.0 * kPi);
+  vec3 past = exp(-air.clear.depth) * segment_transfer(max(next.depth - air.clear.depth, vec3(0.0))).mean;
+  vec3 even = around * air_at(point.h, equal_phases(0.0)).scattering * past * (to - air.distance_);
+  return min(even / max(next.open - air.clear.open, vec3(1e-20)), vec3(kMost));
 }
 
 // Goes on to a distance; the sun is asked for in the middles of so many parts, all other light in the middle of all.
@@ -75,10 +89,11 @@ ShadedAir shaded_up_to(ShadedAir air, Ray ray, FactorPlace at, vec3 direction, f
     sunny += counts;
   }
   vec3 middle = cloud_place(scene.planet.ground_radius, cloud(), ray.h, direction, 0.5 * (air.distance_ + to));
-  vec3 more = more_light_at(middle) * others;
+  MoreLight more = more_light_at(middle);
   lit /= max(sunny, 1.0);
   ClearAir next = clear_air_up_to(ray, at, optical_up_to(ray, to));
-  air.left += max(next.once - air.clear.once, vec3(0.0)) * lit + max(next.more - air.clear.more, vec3(0.0)) * more;
+  vec3 share = (more.share + more.even * (evenness(ray, air, next, to) - 1.0)) * others;
+  air.left += max(next.once - air.clear.once, vec3(0.0)) * lit + max(next.more - air.clear.more, vec3(0.0)) * share;
   air.clear = next;
   air.distance_ = to;
   return air;
