@@ -57,8 +57,8 @@ ShadedAir no_shaded_air() {
   return air;
 }
 
-// What the air of a stretch would send, were a clear sky's light as bright in all directions, over what it sends. A clear
-// sky is brightest around the sun, and haze turns light little.
+// What the air of a stretch would send, were a clear sky's light as bright in all directions, over what it sends. A
+// clear sky is brightest around the sun, and haze turns light little.
 vec3 evenness(Ray ray, ShadedAir air, ClearAir next, float to) {
   const float kMost = 4.0;
   RayPoint point = sunlit_among_things(scene.planet, ray, 0.5 * (air.distance_ + to));
