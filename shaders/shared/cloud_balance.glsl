@@ -13,9 +13,9 @@ struct MoreLight {
   vec3 even;   // the part of it whose light comes from all directions alike
 };
 
-// At a place of the grid. Above the cloud the share passes over to the mean of the field within the field's height, and
-// what the cloud changes fades in the air between: a curve near E_2 of the depth up to there. Around a cloud that stands
-// alone the sky is clear.
+// At a place of the grid. Above the cloud the share passes over to the mean of the field within the field's height,
+// and what the cloud changes fades in the air between: a curve near E_2 of the depth up to there. Around a cloud that
+// stands alone the sky is clear.
 MoreLight more_light_at(vec3 place) {
   CloudData c = cloud();
   vec3 size = vec3(textureSize(cloud_around_lut, 0));
