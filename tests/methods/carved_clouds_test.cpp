@@ -197,7 +197,7 @@ TEST(CarvedClouds, AFieldIsAsBrightAsByPathTrace) {
   scene.render.parameters.find("cloud_resolution")->second = std::string("full");
   const double ratio = sum_of_picture(scene) / sum_of_picture(traced(scene, 32));
   std::printf("a field of cumulus: %+.2f %%\n", 100.0 * (ratio - 1.0));
-  EXPECT_NEAR(ratio, 1.0, 0.05);
+  EXPECT_NEAR(ratio, 1.0, 0.04);
 }
 
 // Sums of green over blocks of pixels.
@@ -216,7 +216,7 @@ std::vector<double> blocks_of(const Scene& scene) {
 }
 
 // Light falls toward sides that the sun does not reach. Were it looked up as even from the outermost cells with water
-// outward, the darkest quarter of the blocks would be 1.21 times as bright beside the brightest as it is.
+// outward, the darkest quarter of the blocks would be 1.18 times as bright beside the brightest as it is.
 TEST(CarvedClouds, ShadedSidesAreDark) {
   Scene scene = among_cumulus(25.0, 0.25);
   scene.clouds.front().seed = 17;
