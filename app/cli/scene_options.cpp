@@ -1,10 +1,13 @@
 #include "app/cli/scene_options.h"
 
+#include <filesystem>
 #include <memory>
 
 #include "app/cli/preset_source.h"
 #include "app/cli/scene_files.h"
 #include "core/base/error.h"
+#include "core/gpu/kept_files.h"
+#include "core/gpu/kept_values.h"
 #include "core/library/built_in.h"
 #include "core/methods/method.h"
 #include "core/scene/preset.h"
@@ -100,6 +103,7 @@ DeviceOptions wanted_device(const SceneOptions& options) {
 }
 
 DeviceOnDemand device_on_demand(const SceneOptions& options, std::unique_ptr<Executor>& owner) {
+  keep_values_in(options.no_cache ? std::filesystem::path() : user_cache_folder());
   return [&owner, wanted = wanted_device(options)]() -> Executor& {
     if (!owner) {
       owner = std::make_unique<Executor>(wanted);

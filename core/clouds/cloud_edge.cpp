@@ -5,6 +5,7 @@
 
 #include "core/base/in_parallel.h"
 #include "core/clouds/noise.h"
+#include "core/gpu/kept_values.h"
 
 namespace airlight {
 namespace {
@@ -22,6 +23,40 @@ Texels texels_at(double x) {
   const double low = std::floor(place);
   const int first = static_cast<int>(low) % kSide;
   return {static_cast<std::size_t>(first), static_cast<std::size_t>((first + 1) % kSide), place - low};
+}
+
+// Squares of the distance to strewn points: paraboloids, which meet in creases, of three sizes.
+std::vector<float> made_noise() {
+  constexpr int kLargestCells = 4;
+  constexpr int kNoiseOctaves = 3;
+  constexpr double kMost = 0.55;  // of the sum, which is less at 97 % of all places
+  constexpr std::uint32_t kSeed = 2027;
+  std::vector<StrewnPoints> octaves;
+  for (int octave = 0; octave < kNoiseOctaves; ++octave) {
+    const int cells = kLargestCells << octave;
+    octaves.emplace_back(NoisePeriod{cells, cells, cells}, cells, kSeed + static_cast<std::uint32_t>(octave));
+  }
+  constexpr std::size_t kLayer = std::size_t{CarvingNoise::kSide} * CarvingNoise::kSide;
+  std::vector<float> values(kLayer * CarvingNoise::kSide);
+  in_parallel(CarvingNoise::kSide, [&](std::size_t level) {
+    const int k = static_cast<int>(level);
+    std::size_t at = level * kLayer;
+    for (int j = 0; j < CarvingNoise::kSide; ++j) {
+      for (int i = 0; i < CarvingNoise::kSide; ++i) {
+        double sum = 0.0;
+        double weight = 4.0 / 7.0;
+        for (int octave = 0; octave < kNoiseOctaves; ++octave) {
+          const double scale = static_cast<double>(kLargestCells << octave) / CarvingNoise::kSide;
+          const double distance =
+              octaves[static_cast<std::size_t>(octave)].noise((i + 0.5) * scale, (j + 0.5) * scale, (k + 0.5) * scale);
+          sum += weight * distance * distance;
+          weight *= 0.5;
+        }
+        values[at++] = static_cast<float>(std::min(sum / kMost, 1.0));
+      }
+    }
+  });
+  return values;
 }
 
 }  // namespace
@@ -44,39 +79,8 @@ double CarvingNoise::at(double x, double y, double z) const {
   return low + c.share * (level(c.high) - low);
 }
 
-// Squares of the distance to strewn points: paraboloids, which meet in creases, of three sizes.
 CarvingNoise carving_noise() {
-  constexpr int kCells = 4;
-  constexpr int kOctaves = 3;
-  constexpr double kMost = 0.55;  // of the sum, which is less at 97 % of all places
-  constexpr std::uint32_t kSeed = 2027;
-  std::vector<StrewnPoints> octaves;
-  for (int octave = 0; octave < kOctaves; ++octave) {
-    const int cells = kCells << octave;
-    octaves.emplace_back(NoisePeriod{cells, cells, cells}, cells, kSeed + static_cast<std::uint32_t>(octave));
-  }
-  CarvingNoise noise;
-  constexpr std::size_t kLayer = std::size_t{CarvingNoise::kSide} * CarvingNoise::kSide;
-  noise.values.resize(kLayer * CarvingNoise::kSide);
-  in_parallel(CarvingNoise::kSide, [&](std::size_t level) {
-    const int k = static_cast<int>(level);
-    std::size_t at = level * kLayer;
-    for (int j = 0; j < CarvingNoise::kSide; ++j) {
-      for (int i = 0; i < CarvingNoise::kSide; ++i) {
-        double sum = 0.0;
-        double weight = 4.0 / 7.0;
-        for (int octave = 0; octave < kOctaves; ++octave) {
-          const double scale = static_cast<double>(kCells << octave) / CarvingNoise::kSide;
-          const double distance =
-              octaves[static_cast<std::size_t>(octave)].noise((i + 0.5) * scale, (j + 0.5) * scale, (k + 0.5) * scale);
-          sum += weight * distance * distance;
-          weight *= 0.5;
-        }
-        noise.values[at++] = static_cast<float>(std::min(sum / kMost, 1.0));
-      }
-    }
-  });
-  return noise;
+  return {kept_floats("carving noise", made_noise)};
 }
 
 }  // namespace airlight

@@ -14,7 +14,7 @@ struct CarvingNoise {
   double at(double x, double y, double z) const;
 };
 
-// The same on every machine.
+// The same on every machine. Kept (core/gpu/kept_values.h).
 CarvingNoise carving_noise();
 
 }  // namespace airlight

@@ -1,9 +1,15 @@
 #include "core/clouds/cloud_grid.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+#include <utility>
 
 #include "core/base/text.h"
+#include "core/gpu/kept_values.h"
 #include "core/spectra/drops.h"
 
 namespace airlight {
@@ -51,18 +57,104 @@ CloudGrid volume_grid(const Cloud& cloud) {
   return grid;
 }
 
-CloudGrid grid_of_kind(const Cloud& cloud) {
-  switch (cloud.kind) {
-    case CloudKind::cumulus:
-      return cumulus_grid(cloud);
-    case CloudKind::stratocumulus:
-      return stratocumulus_grid(cloud);
-    case CloudKind::cirrus:
-      return cirrus_grid(cloud);
-    case CloudKind::volume:
-      break;
+CloudGrid field_by_seed(const Cloud& cloud) {
+  return cloud.kind == CloudKind::cumulus         ? cumulus_grid(cloud)
+         : cloud.kind == CloudKind::stratocumulus ? stratocumulus_grid(cloud)
+                                                  : cirrus_grid(cloud);
+}
+
+// What a field is beside its values, as files keep it.
+struct FieldHead {
+  int nx;
+  int ny;
+  int nz;
+  int carved;  // 1: the values inside the cloud's edge follow those of the extinction
+  double cell_x;
+  double cell_y;
+  double base;
+  double top;
+  physics::CloudEdge edge;
+};
+constexpr std::size_t kHeadWords = sizeof(FieldHead) / sizeof(std::uint32_t);
+static_assert(std::is_trivially_copyable_v<FieldHead> && kHeadWords * sizeof(std::uint32_t) == sizeof(FieldHead));
+
+std::vector<std::uint32_t> words_of(const CloudGrid& grid) {
+  const FieldHead head{.nx = grid.nx,
+                       .ny = grid.ny,
+                       .nz = grid.nz,
+                       .carved = grid.inside.empty() ? 0 : 1,
+                       .cell_x = grid.cell_x,
+                       .cell_y = grid.cell_y,
+                       .base = grid.base,
+                       .top = grid.top,
+                       .edge = grid.edge};
+  std::vector<std::uint32_t> words(kHeadWords + grid.extinction.size() + grid.inside.size());
+  std::memcpy(words.data(), &head, sizeof head);
+  std::ranges::transform(grid.extinction, words.begin() + kHeadWords, std::bit_cast<std::uint32_t, float>);
+  std::ranges::transform(grid.inside, words.begin() + kHeadWords + std::ssize(grid.extinction),
+                         std::bit_cast<std::uint32_t, float>);
+  return words;
+}
+
+CloudGrid grid_of(const std::vector<std::uint32_t>& words) {
+  FieldHead head{};
+  std::memcpy(&head, words.data(), sizeof head);
+  CloudGrid grid;
+  grid.nx = head.nx;
+  grid.ny = head.ny;
+  grid.nz = head.nz;
+  grid.cell_x = head.cell_x;
+  grid.cell_y = head.cell_y;
+  grid.base = head.base;
+  grid.top = head.top;
+  grid.repeats = true;
+  grid.edge = head.edge;
+  const std::size_t count = grid.index(0, 0, grid.nz);
+  const auto values_from = [&](std::size_t first) {
+    std::vector<float> values(count);
+    std::memcpy(values.data(), &words[first], count * sizeof(float));
+    return values;
+  };
+  grid.extinction = values_from(kHeadWords);
+  if (head.carved == 1) {
+    grid.inside = values_from(kHeadWords + count);
+    grid.noise = std::make_shared<const CarvingNoise>(carving_noise());
   }
-  return volume_grid(cloud);
+  return grid;
+}
+
+CloudGrid grid_of_kind(const Cloud& cloud) {
+  if (cloud.kind == CloudKind::volume) {
+    return volume_grid(cloud);
+  }
+  return grid_of(kept_words("field " + cloud_shape_key(cloud), [&cloud] { return words_of(field_by_seed(cloud)); }));
+}
+
+// drops_phase(), kept: the numbers of angles and wavelengths, these themselves, and the rows.
+PhaseTable kept_drops(double radius) {
+  const std::vector<std::uint32_t> words = kept_words("drops " + shortest(radius), [radius] {
+    const PhaseTable table = drops_phase(radius);
+    std::vector<double> all{static_cast<double>(table.angles_deg.size()),
+                            static_cast<double>(table.wavelengths_nm.size())};
+    all.insert(all.end(), table.angles_deg.begin(), table.angles_deg.end());
+    all.insert(all.end(), table.wavelengths_nm.begin(), table.wavelengths_nm.end());
+    for (const std::vector<double>& row : table.rows) all.insert(all.end(), row.begin(), row.end());
+    std::vector<std::uint32_t> bits(2 * all.size());
+    std::memcpy(bits.data(), all.data(), all.size() * sizeof(double));
+    return bits;
+  });
+  std::vector<double> values(words.size() / 2);
+  std::memcpy(values.data(), words.data(), values.size() * sizeof(double));
+  auto at = values.begin() + 2;
+  const auto next = [&at](double count) {
+    const auto first = std::exchange(at, at + static_cast<std::ptrdiff_t>(count));
+    return std::vector<double>(first, at);
+  };
+  PhaseTable table;
+  table.angles_deg = next(values[0]);
+  table.wavelengths_nm = next(values[1]);
+  while (at < values.end()) table.rows.push_back(next(values[0]));
+  return table;
 }
 
 struct Corner {
@@ -176,7 +268,7 @@ Medium cloud_medium(const Cloud& cloud, const Spectrum& channels) {
   if (cloud.phase == CloudPhase::drops) {
     medium.phase = PhaseFunction::table;
     medium.effective_radius = cloud.effective_radius;
-    medium.phase_table = drops_phase(cloud.effective_radius);
+    medium.phase_table = kept_drops(cloud.effective_radius);
     medium.phase_wavelengths = channels[1] > 0.0 ? channels : kDropChannels;
   }
   return medium;

@@ -60,8 +60,7 @@ void for_each_line(const CloudCells& cells, const Axis& axis, const Line& line) 
 
 }  // namespace
 
-CloudCells coarsened(const CloudCells& cells, std::uint32_t most_x, std::uint32_t most_y, std::uint32_t most_z,
-                     CellValues values) {
+CloudCells coarse_shape(const CloudCells& cells, std::uint32_t most_x, std::uint32_t most_y, std::uint32_t most_z) {
   CloudCells out;
   out.nx = std::min(cells.nx, most_x);
   out.ny = std::min(cells.ny, most_y);
@@ -69,6 +68,12 @@ CloudCells coarsened(const CloudCells& cells, std::uint32_t most_x, std::uint32_
   out.cell_x = cells.cell_x * cells.nx / out.nx;
   out.cell_y = cells.cell_y * cells.ny / out.ny;
   out.cell_z = cells.cell_z * cells.nz / out.nz;
+  return out;
+}
+
+CloudCells coarsened(const CloudCells& cells, std::uint32_t most_x, std::uint32_t most_y, std::uint32_t most_z,
+                     CellValues values) {
+  CloudCells out = coarse_shape(cells, most_x, most_y, most_z);
   out.extinction.resize(out.count());
   const auto axes = axes_of(cells);
   const std::vector<Share> x = shares_of(axes[0], out.nx, values);

@@ -25,6 +25,9 @@ struct CloudCells {
 // outermost upward and downward.
 enum class CellValues { means, middles };
 
+// Cells without values of the same cloud, at most so many a side.
+CloudCells coarse_shape(const CloudCells& cells, std::uint32_t most_x, std::uint32_t most_y, std::uint32_t most_z);
+
 // The mean over boxes of cells, at most so many a side; what is left over at the far edge is shared out by length.
 CloudCells coarsened(const CloudCells& cells, std::uint32_t most_x, std::uint32_t most_y, std::uint32_t most_z,
                      CellValues values = CellValues::means);

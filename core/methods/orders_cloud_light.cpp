@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "core/base/text.h"
 #include "core/clouds/cloud_grid.h"
 #include "core/clouds/cloud_phase.h"
+#include "core/gpu/kept_values.h"
 #include "core/luts/cloud_light.h"
 #include "core/luts/luts.h"
 #include "core/methods/orders_cloud_tables.h"
@@ -32,19 +34,28 @@ physics::vec3 cloud_sun(const Scene& scene, const CloudGrid& cloud) {
 // The cloud's matter, as an air of its own that is empty.
 struct Matter {
   CloudDrops drops;
-  std::vector<device::vec3> phase;  // cloud_phase_rows()
+  std::vector<float> phase;  // cloud_phase_rows()
 };
 
 Matter matter_of(const Cloud& cloud, const Part& part) {
-  const Air air(
-      {cloud_medium(cloud, part.scene.media.empty() ? Spectrum{} : part.scene.media.front().phase_wavelengths)},
-      part.scene.planet);
+  const Spectrum channels = part.scene.media.empty() ? Spectrum{} : part.scene.media.front().phase_wavelengths;
+  const Air air({cloud_medium(cloud, channels)}, part.scene.planet);
   physics::Physics p = air.formulas();
   Matter matter{.drops = {.single_scattering_albedo = cloud.single_scattering_albedo, .legendre = {}}, .phase = {}};
   for (const physics::vec3& moment : p.scene.media[0].legendre) {
     matter.drops.legendre.push_back((moment.x + moment.y + moment.z) / 3.0);
   }
-  matter.phase = cloud_phase_rows(p, cloud.single_scattering_albedo, kCloudDegree);
+  std::string key = "cloud phase " + std::to_string(static_cast<int>(cloud.phase));
+  for (const double value :
+       {cloud.phase_g, cloud.effective_radius, cloud.single_scattering_albedo, channels[0], channels[1], channels[2]}) {
+    key += " " + shortest(value);
+  }
+  matter.phase = kept_floats(key, [&] {
+    const std::vector<device::vec3> rows = cloud_phase_rows(p, cloud.single_scattering_albedo, kCloudDegree);
+    std::vector<float> values(3 * rows.size());
+    std::memcpy(values.data(), rows.data(), values.size() * sizeof(float));
+    return values;
+  });
   return matter;
 }
 
@@ -74,11 +85,17 @@ struct CloudInputs {
   }
 };
 
-CloudCells coarse_cells(const CloudGrid& grid, TableSize most) {
+CloudCells coarse_cells(const CloudGrid& grid, TableSize most, const std::string& cloud) {
   const auto across = static_cast<std::uint32_t>(most[0]);
-  CloudCells fine = cells_of(grid);
-  CloudCells coarse = coarsened(fine, across, across, static_cast<std::uint32_t>(most[1]), CellValues::middles);
-  return with_lumps(std::move(coarse), std::move(fine), CellValues::middles);
+  const auto up = static_cast<std::uint32_t>(most[1]);
+  const CloudCells shape = shape_of(grid);
+  CloudCells coarse = coarse_shape(shape, across, across, up);
+  coarse.extinction = kept_floats(key_on(key_on(cloud, shape) + " cells", coarse), [&] {
+    CloudCells fine = cells_of(grid);
+    CloudCells means = coarsened(fine, across, across, up, CellValues::middles);
+    return with_lumps(std::move(means), std::move(fine), CellValues::middles).extinction;
+  });
+  return coarse;
 }
 
 device::CloudData head_of(const CloudGrid& grid, const CloudCells& coarse, const CloudDrops& drops,
@@ -331,7 +348,7 @@ FieldStart start_of(const Part& part, const StandingCloud& cloud) {
       .matter = matter_of(*cloud.cloud, part), .to_sun = cloud_sun(part.scene, *cloud.grid), .coarse = {}, .lit = {}};
   start.lit.grid = with_room(cloud.grid, start.to_sun);
   start.lit.key = "cloud " + cloud_shape_key(*cloud.cloud);  // light stays with a cloud that moves
-  start.coarse = coarse_cells(*start.lit.grid, cells);
+  start.coarse = coarse_cells(*start.lit.grid, cells, start.lit.key);
   start.lit.head = head_of(*start.lit.grid, start.coarse, start.matter.drops, start.to_sun);
   return start;
 }

@@ -6,6 +6,7 @@
 #include <functional>
 #include <vector>
 
+#include "core/gpu/kept_values.h"
 #include "core/plan/bytes.h"
 
 namespace airlight::orders {
@@ -79,14 +80,23 @@ std::shared_ptr<const CloudGrid> with_room(const std::shared_ptr<const CloudGrid
   return out;
 }
 
-CloudCells cells_of(const CloudGrid& grid) {
+CloudCells shape_of(const CloudGrid& grid) {
   return {.nx = static_cast<std::uint32_t>(grid.nx),
           .ny = static_cast<std::uint32_t>(grid.ny),
           .nz = static_cast<std::uint32_t>(grid.nz),
           .cell_x = grid.cell_x,
           .cell_y = grid.cell_y,
-          .cell_z = grid.cell_z(),
-          .extinction = grid.extinction};
+          .cell_z = grid.cell_z()};
+}
+
+CloudCells cells_of(const CloudGrid& grid) {
+  CloudCells cells = shape_of(grid);
+  cells.extinction = grid.extinction;
+  return cells;
+}
+
+std::string key_on(const std::string& cloud, const CloudCells& cells) {
+  return cloud + " on " + std::to_string(cells.nx) + "x" + std::to_string(cells.ny) + "x" + std::to_string(cells.nz);
 }
 
 ImageId add_density(Plan& plan, const std::shared_ptr<const CloudGrid>& grid, const std::string& cloud) {
@@ -109,12 +119,14 @@ ImageId add_gaps(Plan& plan, const std::shared_ptr<const CloudGrid>& grid, const
   }
   const auto half = [](int count) { return static_cast<std::uint32_t>(count + 1) / 2; };
   const Extent cells{half(grid->nx), half(grid->ny), std::max(half(grid->nz), 2U)};
-  const BufferId gaps = add_values(plan, "cloud_gap_values", cells, [grid, cells] {
-    CloudCells fine = cells_of(*grid);
-    for (std::size_t at = 0; at < grid->inside.size(); ++at) {
-      fine.extinction[at] += std::max(grid->inside[at], 0.0F);
-    }
-    return bytes_of(gaps_of(coarsened(fine, cells.width, cells.height, cells.depth)));
+  const BufferId gaps = add_values(plan, "cloud_gap_values", cells, [grid, cells, key] {
+    return bytes_of(kept_floats(key_on(key, shape_of(*grid)), [&] {
+      CloudCells fine = cells_of(*grid);
+      for (std::size_t at = 0; at < grid->inside.size(); ++at) {
+        fine.extinction[at] += std::max(grid->inside[at], 0.0F);
+      }
+      return gaps_of(coarsened(fine, cells.width, cells.height, cells.depth));
+    }));
   });
   return add_cells(plan, "cloud_gap", cells, gaps, gaps, key);
 }

@@ -15,6 +15,9 @@ namespace airlight::orders {
 std::shared_ptr<const CloudGrid> with_room(const std::shared_ptr<const CloudGrid>& grid, physics::vec3 to_sun);
 
 CloudCells cells_of(const CloudGrid& grid);
+CloudCells shape_of(const CloudGrid& grid);  // without values
+// `cloud` as a text, and how many cells it has.
+std::string key_on(const std::string& cloud, const CloudCells& cells);
 
 // Extinction, 1/km, and how far inside the cloud the place is, km. `key`: of the cloud.
 ImageId add_density(Plan& plan, const std::shared_ptr<const CloudGrid>& grid, const std::string& key);

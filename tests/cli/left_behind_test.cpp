@@ -265,6 +265,36 @@ TEST_F(LeftBehind, NoTablesBakedForPresetsThatShip) {
   EXPECT_FALSE(std::filesystem::exists(cache / "tables"));
 }
 
+// Nor does it make fields of clouds, and a second start of another field makes none either.
+TEST_F(LeftBehind, NoFieldsMadeForPresetsThatShip) {
+  if (!std::filesystem::exists(tool_program().parent_path() / "driver_code_tables" / "values")) {
+    GTEST_SKIP() << "the build left no fields";
+  }
+  const std::filesystem::path values = scratch_.path() / "cache" / "values";
+  Start start;
+  start.environment = {{"AIRLIGHT_CACHE", values.parent_path().string()}, {"AIRLIGHT_DEVICE", "llvmpipe"}};
+  const auto picture = [&](const Names& more) {
+    Names arguments = {"render", "fair-weather-cumulus", "--size", "32x18", "-o", "a.exr"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = tool(arguments, start);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return scratch_.read("a.exr");
+  };
+  const std::string shipped = picture({});
+  EXPECT_FALSE(std::filesystem::exists(values));
+  EXPECT_TRUE(picture({"--no-cache"}) == shipped);
+  EXPECT_FALSE(std::filesystem::exists(values));
+  const Names another = {"--set", "/clouds/0/seed=77"};
+  const std::string first = picture(another);
+  EXPECT_TRUE(first != shipped);
+  ASSERT_TRUE(std::filesystem::exists(values));
+  const auto count = [&values] { return std::distance(std::filesystem::directory_iterator(values), {}); };
+  const auto kept = count();
+  EXPECT_EQ(kept, 3) << "the field, its gaps and its cells; drops and the noise of edges are the preset's";
+  EXPECT_TRUE(picture(another) == first);
+  EXPECT_EQ(count(), kept);
+}
+
 // A second start bakes no tables and makes the same picture.
 TEST_F(LeftBehind, TablesThatMakeTheSamePicture) {
   Start start;
