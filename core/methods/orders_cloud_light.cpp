@@ -147,21 +147,22 @@ ImageId add_shadow(Plan& plan, const CloudGrid& grid, const CloudInputs& inputs,
     return *made;
   }
   const Extent size{head.fine_x + 1, head.fine_y + 1, finer * head.fine_z + 1};
-  const ImageId depths = plan.add_image({.name = "cloud_sun_depth", .extent = size});
+  const BufferId depths = plan.add_buffer(
+      {.name = "cloud_sun_depth", .bytes = sizeof(float) * size.width * size.height * size.depth, .zeroed = false});
   plan.add_pass({.shader = "cloud_shadow",
                  .reads = {{"cloud_data", inputs.head},
                            {"cloud_density_lut", inputs.density},
                            {"cloud_gap_lut", inputs.gaps},
                            edge.noise},
-                 .writes = {{"shadow_out", depths}},
+                 .writes = {{"depths_out", depths}},
                  .grid = {size.width, size.height, 1},
-                 .push_constants = {parts, push_constant(scale)},
+                 .push_constants = {size.depth - 1, parts, push_constant(scale)},
                  .specialization = {edge.carved},
                  .cost = (carved ? 8.0 : 1.0) * size.depth * parts});
   const ImageId shadow =
       plan.add_image({.name = "cloud_shadow", .extent = size, .key = key, .half = true, .shared = true});
   plan.add_pass(
-      {.shader = "cloud_bends", .reads = {{"depths_lut", depths}}, .writes = {{"bends_out", shadow}}, .grid = size});
+      {.shader = "cloud_bends", .reads = {{"depths", depths}}, .writes = {{"bends_out", shadow}}, .grid = size});
   return shadow;
 }
 

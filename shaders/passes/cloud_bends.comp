@@ -1,18 +1,21 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
 // Second differences of a cloud's optical depth toward the sun beside it: along columns, which repeat themselves, along
 // rows likewise, and along the sun's rays.
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(set = 0, binding = 1) uniform sampler3D depths_lut;
+layout(scalar, set = 0, binding = 1) readonly buffer Depths { float values[]; } depths;
 layout(set = 0, binding = 2) uniform writeonly image3D bends_out;
+
+float depth_at(ivec3 at, ivec3 last) { return depths.values[(at.z * (last.y + 1) + at.y) * (last.x + 1) + at.x]; }
 
 void main() {
   ivec3 at = ivec3(gl_GlobalInvocationID);
-  ivec3 last = textureSize(depths_lut, 0) - 1;  // as the first in x and y
+  ivec3 last = imageSize(bends_out) - 1;  // as the first in x and y
   if (any(greaterThan(at, last))) {
     return;
   }
-  float here = texelFetch(depths_lut, at, 0).r;
+  float here = depth_at(at, last);
   vec3 bends = vec3(0.0);
   for (int n = 0; n < 3; n++) {
     int low = at[n] - 1;
@@ -26,7 +29,7 @@ void main() {
       ivec3 after = at;
       before[n] = low;
       after[n] = high;
-      bends[n] = texelFetch(depths_lut, before, 0).r - 2.0 * here + texelFetch(depths_lut, after, 0).r;
+      bends[n] = depth_at(before, last) - 2.0 * here + depth_at(after, last);
     }
   }
   imageStore(bends_out, at, vec4(here, bends));

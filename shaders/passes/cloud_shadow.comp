@@ -16,9 +16,10 @@
 #include "shared/cloud_gaps.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(set = 0, binding = 2, rgba32f) uniform writeonly image3D shadow_out;
+layout(scalar, set = 0, binding = 2) writeonly buffer Depths { float values[]; } depths_out;  // as an image has texels
 layout(push_constant, scalar) uniform Push {
-  uint parts;  // of a slice
+  uint slices;  // heights, one less than there are
+  uint parts;   // of a slice
   float scale;
 };
 
@@ -39,13 +40,15 @@ float mean_depth(float depths[kRays]) {
   return least - log(left) / scale;
 }
 
+// Of a column and row, at a slice.
+uint place_of(uvec2 at, uint slice, CloudData c) { return (slice * (c.fine_y + 1u) + at.y) * (c.fine_x + 1u) + at.x; }
+
 void main() {
   CloudData c = cloud();
   uvec2 at = gl_GlobalInvocationID.xy;
   if (at.x > c.fine_x || at.y > c.fine_y) {
     return;
   }
-  uint slices = uint(imageSize(shadow_out).z) - 1u;
   float height = c.top - c.base;
   vec2 lean = vec2(c.sunward_east * height / c.width, c.sunward_north * height / c.depth);
   float way = length(vec3(c.sunward_east, c.sunward_north, 1.0)) * height;
@@ -55,7 +58,7 @@ void main() {
   UNROLL for (uint r = 0u; r < kRays; r++) {
     depths[r] = 0.0;
   }
-  imageStore(shadow_out, ivec3(at, slices), vec4(0.0));
+  depths_out.values[place_of(at, slices, c)] = 0.0;
   for (uint i = 0u; i < steps; i++) {
     float down = (float(i) + 0.5) / float(steps);
     vec2 place = vec2(at) / vec2(c.fine_x, c.fine_y) - lean * down;
@@ -67,7 +70,7 @@ void main() {
     }
     if ((i + 1u) % parts == 0u) {
       float depth = rays == 1u ? depths[0] : mean_depth(depths);
-      imageStore(shadow_out, ivec3(at, slices - 1u - i / parts), vec4(depth));
+      depths_out.values[place_of(at, slices - 1u - i / parts, c)] = depth;
     }
   }
 }
