@@ -90,9 +90,10 @@ std::vector<std::uint32_t> words_of(const CloudGrid& grid) {
                        .edge = grid.edge};
   std::vector<std::uint32_t> words(kHeadWords + grid.extinction.size() + grid.inside.size());
   std::memcpy(words.data(), &head, sizeof head);
-  std::ranges::transform(grid.extinction, words.begin() + kHeadWords, std::bit_cast<std::uint32_t, float>);
-  std::ranges::transform(grid.inside, words.begin() + kHeadWords + std::ssize(grid.extinction),
-                         std::bit_cast<std::uint32_t, float>);
+  auto at = words.begin() + kHeadWords;
+  for (const std::vector<float>* values : {&grid.extinction, &grid.inside}) {
+    at = std::ranges::transform(*values, at, [](float value) { return std::bit_cast<std::uint32_t>(value); }).out;
+  }
   return words;
 }
 

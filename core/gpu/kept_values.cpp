@@ -1,6 +1,5 @@
 #include "core/gpu/kept_values.h"
 
-#include <algorithm>
 #include <cstring>
 #include <mutex>
 
