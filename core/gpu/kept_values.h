@@ -1,6 +1,6 @@
 #pragma once
 // Values that take long to make and that depend on a text alone, kept in a folder of the user's from one start to the
-// next (kept_files.h). A later start of the same build of the program reads them back bit for bit; so does a first one
+// next (kept_files.h). A later start of the same build of the program reads them back bit for bit. A first start reads
 // what the build's renders left (driver_code.h).
 
 #include <cstdint>
@@ -21,7 +21,7 @@ std::vector<std::uint32_t> kept_words(const std::string& key, const std::functio
 // Likewise of floats.
 std::vector<float> kept_floats(const std::string& key, const std::function<std::vector<float>()>& make);
 
-// Words with each run of equal ones as one; what remains of a field of clouds is a fifth.
+// Words with each run of equal ones as one: clear air and the inside of clouds are such runs.
 std::vector<std::uint32_t> packed(std::span<const std::uint32_t> words);
 // Its inverse; empty where the words are no such.
 std::vector<std::uint32_t> unpacked(std::span<const std::uint32_t> words);
