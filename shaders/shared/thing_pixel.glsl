@@ -22,8 +22,48 @@ vec3 direction_at(uvec2 pixel, vec2 place) {
 // What a pixel, which extends by `reach` from its middle, holds of bodies.
 struct BodiesHeld {
   bool edge;
-  bool mirror;
+  bool mirror;  // in which light differs within the pixel
 };
+
+// Whether bodies leave the sun's light as it is, or wholly take it, within `width` of a place.
+bool is_evenly_lit(vec3 point, float width) {
+  float share = 1.0;
+  for (uint i = 0u; i < body_count(); i++) {
+    float far = max(length(ball_of_body(i).centre - point), 1e-9);
+    share = min(share, sun_past_body(i, point, scene.sun.seen, scene.sun.angular_radius + width / far));
+  }
+  return share <= 0.0 || share >= 1.0;
+}
+
+// Whether a ball that mirrors shows one thing within a pixel, whose middle ray then is the pixel: the sky, neither near
+// the horizon nor near the sun, or ground of one colour without an edge of a shadow.
+bool mirrors_evenly(BodyHit hit, vec3 direction, float reach) {
+#ifdef AIRLIGHT_CLOUDS
+  return false;
+#else
+  const float kAroundSun = 0.03;  // where its light is steep
+  vec3 point = direction * hit.distance_;
+  vec3 normal = body_normal(hit.which, point);
+  float cosine = dot(direction, normal);
+  vec3 away = direction - normal * (2.0 * cosine);
+  // Of the directions that the pixel's rays go on in; a ball bends most in the plane of the ray.
+  float wide = reach * (1.0 + 2.0 * hit.distance_ / (ball_of_body(hit.which).radius * max(-cosine, 0.02)));
+  bool even = !has_terrain() && !has_ground_maps() && length(away - scene.sun.seen) > wide + kAroundSun;
+  for (uint i = 0u; i < body_count(); i++) {
+    vec3 to = ball_of_body(i).centre - point;
+    float along = dot(to, away);
+    float radius = ball_of_body(i).radius;
+    float size = atan(radius, sqrt(max(dot(to, to) - radius * radius, 0.0)));
+    even = even && (i == hit.which || atan(length(to - away * along), along) > size + wide);
+  }
+  Sight sight = sight_of(point, away);
+  even = even && abs(sight.track.mu - horizon_mu(scene.planet, sight.from.h)) > wide;
+  bool ground = sight.ray.at_ground && sight.ray.length_ >= 0.0;
+  float far = ground ? sight.before + sight.ray.length_ : 0.0;
+  float width = (reach * hit.distance_ + wide * far) / max(-sight.track.mu, 1e-3);
+  return even && (!ground || is_evenly_lit(point + away * far, width));
+#endif
+}
 
 BodiesHeld bodies_held(vec3 direction, float reach) {
   BodiesHeld held = BodiesHeld(false, false);
@@ -31,6 +71,11 @@ BodiesHeld bodies_held(vec3 direction, float reach) {
     float off = angle_from_body(i, direction);
     held.edge = held.edge || abs(off) < reach;
     held.mirror = held.mirror || (ball_of_body(i).material == kSphereMirror && off < 0.0);
+  }
+  uint mirrors = held.mirror && !held.edge ? 1u : 0u;
+  for (uint turn = 0u; turn < mirrors; turn++) {
+    BodyHit hit = nearest_body(vec3(0.0), direction, kNoBody);
+    held.mirror = !hit.hit || !mirrors_evenly(hit, direction, reach);
   }
   return held;
 }

@@ -2,6 +2,7 @@
 // hidden sunlight, their edges against finer pictures.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -299,6 +300,40 @@ TEST(SphereSky, EdgesAreMeansAndTheRestIsTheSky) {
         EXPECT_NEAR(channel_of(made, x, y, 1), channel_of(bare, x, y, 1), 1e-5 * channel_of(bare, x, y, 1));
       }
     }
+  }
+}
+
+// A mirror's pixels are means whatever they show: sky, ground, the horizon, the sun, another ball and the edge of its
+// shadow. Five of a hundred hold an edge, which eight rays resolve to some percent; two of a thousand the sun's image.
+TEST(SphereSky, MirrorsAreMeans) {
+  constexpr int kSide = 8;
+  constexpr int kPixels = 48;
+  Scene scene = ball_scene(SphereMaterial::mirror);
+  scene.camera.vertical_fov = 13.0 * kDegree;
+  scene.image = {kPixels, kPixels};
+  scene.sun.elevation = 25.0 * kDegree;
+  scene.sun.disc.visible = true;
+  scene.spheres.push_back(sphere_of(SphereMaterial::matte, 30.0, -4.0, 6.0 * kMetre, 0.8 * kMetre));
+  Scene finer = scene;
+  finer.image = {kPixels * kSide, kPixels * kSide};
+  const RadianceImage made = render_now(scene).radiance;
+  const RadianceImage fine = render_now(finer).radiance;
+  std::vector<double> off;
+  for (int k = 0; k < kPixels * kPixels; ++k) {
+    const int x = k % kPixels;
+    const int y = k / kPixels;
+    if (std::hypot(x - 23.5, y - 23.5) > 23.5) {
+      continue;
+    }
+    double truth = 0.0;
+    for (int i = 0; i < kSide * kSide; ++i) {
+      truth += channel_of(fine, x * kSide + i % kSide, y * kSide + i / kSide, 1) / (kSide * kSide);
+    }
+    off.push_back(std::abs(channel_of(made, x, y, 1) / truth - 1.0));
+  }
+  std::sort(off.begin(), off.end());
+  for (const auto& [share, bound] : {std::pair(0.95, 0.009), {0.99, 0.06}, {0.995, 0.11}, {0.998, 0.3}}) {
+    EXPECT_LT(off[static_cast<std::size_t>(share * static_cast<double>(off.size()))], bound) << share;
   }
 }
 
