@@ -21,7 +21,7 @@ shared uint things;  // pixels that show more than the sky
 // Whether the pixel's ray alone, and no light of a surface, is the pixel.
 bool shows_sky_alone(uvec2 pixel) {
   ViewRay view = picture_ray(pixel);
-  ThingPixel rays = thing_pixel(pixel, view);
+  ThingPixel rays = thing_pixel_of(pixel, view, false);  // no mirror is sky
   Sight sight = sight_of(vec3(0.0), view.direction);
   bool ground = sight.ray.at_ground && sight.ray.length_ >= 0.0;
   bool body = nearest_body(vec3(0.0), view.direction, kNoBody).hit;

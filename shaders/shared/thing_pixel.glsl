@@ -65,14 +65,15 @@ bool mirrors_evenly(BodyHit hit, vec3 direction, float reach) {
 #endif
 }
 
-BodiesHeld bodies_held(vec3 direction, float reach) {
+// `tells_even`: whether mirrors that show one thing are told from others.
+BodiesHeld bodies_held(vec3 direction, float reach, bool tells_even) {
   BodiesHeld held = BodiesHeld(false, false);
   for (uint i = 0u; i < body_count(); i++) {
     float off = angle_from_body(i, direction);
     held.edge = held.edge || abs(off) < reach;
     held.mirror = held.mirror || (ball_of_body(i).material == kSphereMirror && off < 0.0);
   }
-  uint mirrors = held.mirror && !held.edge ? 1u : 0u;
+  uint mirrors = tells_even && held.mirror && !held.edge ? 1u : 0u;
   for (uint turn = 0u; turn < mirrors; turn++) {
     BodyHit hit = nearest_body(vec3(0.0), direction, kNoBody);
     held.mirror = !hit.hit || !mirrors_evenly(hit, direction, reach);
@@ -122,7 +123,7 @@ struct ThingPixel {
   float bare;    // no terrain before that distance along the ground, km
 };
 
-ThingPixel thing_pixel(uvec2 pixel, ViewRay view) {
+ThingPixel thing_pixel_of(uvec2 pixel, ViewRay view, bool tells_even) {
   ThingPixel found;
   found.rays = rays_at(pixel, view);
   found.edge = false;
@@ -134,7 +135,7 @@ ThingPixel thing_pixel(uvec2 pixel, ViewRay view) {
     float across = length(direction_at(pixel, vec2(0.99, 0.5)) - direction_at(pixel, vec2(0.01, 0.5)));
     float corner = length(direction_at(pixel, vec2(0.99, 0.99)) - direction_at(pixel, vec2(0.01, 0.01)));
     PixelCorners seen = corners_of(pixel);
-    BodiesHeld bodies = bodies_held(view.direction, max(across, corner));
+    BodiesHeld bodies = bodies_held(view.direction, max(across, corner), tells_even);
     found.edge = view.inside && (bodies.edge || holds_step(seen));
     found.mirror = view.inside && bodies.mirror && !found.edge;
     found.bare = has_terrain() ? bare_before(seen, view.direction, found.edge || found.mirror) : 0.0;
@@ -144,6 +145,8 @@ ThingPixel thing_pixel(uvec2 pixel, ViewRay view) {
   found.count = found.edge ? kEdgeSide * kEdgeSide : found.mirror ? kMirrorRays : found.rays.count;
   return found;
 }
+
+ThingPixel thing_pixel(uvec2 pixel, ViewRay view) { return thing_pixel_of(pixel, view, true); }
 
 WeightedRay ray_of_thing_pixel(uvec2 pixel, ViewRay view, ThingPixel of, uint i) {
   if (!of.edge && !of.mirror) {
