@@ -110,18 +110,29 @@ ImageId add_dimmed(Plan& plan, const Part& part, const View& view, const Volume&
   return dimmed;
 }
 
+// The pixels of a tile and those that its blocks hold beside it (shaders/shared/thing_tile.glsl).
+Extent grid_of_blocks(const Scene& scene, const View& view) {
+  const Tile tile = tile_of(scene, view);
+  const auto whole = [](int first, int count) {
+    constexpr auto kBlock = static_cast<int>(physics::kThingBlock);
+    return static_cast<std::uint32_t>((first % kBlock + count + kBlock - 1) / kBlock * kBlock);
+  };
+  return {whole(tile.x, tile.width), whole(tile.y, tile.height), 1};
+}
+
 // What the pixels' corners see; nothing where rays are listed.
 BufferId add_corners(Plan& plan, const Part& part, const View& view, const ThingInputs& things) {
   if (!view.directions.empty()) {
     return plan.add_buffer(filled_buffer("thing_corners", bytes_of(std::vector<float>(2))));
   }
-  const Extent tile = picture_grid(part.scene, view);
-  const Extent grid{tile.width + 1, tile.height + 1, 1};
+  const Extent pixels = grid_of_blocks(part.scene, view);
+  const Extent grid{pixels.width + 1, pixels.height + 1, 1};
   const BufferId corners = plan.add_buffer(
       {.name = "thing_corners", .bytes = std::size_t{2} * sizeof(float) * grid.width * grid.height, .zeroed = false});
   std::vector<Specialization> constants = medium_specialization(part.air);
   constants.insert(constants.end(), things.constants.begin(), things.constants.end());
   constants.push_back({"kProjection", projection_code(part.scene.camera.projection)});
+  constants.push_back({"kTiles", physics::kTilesAll});
   plan.add_pass({.shader = "thing_corners",
                  .reads = things.reads,
                  .writes = {{"corners_out", corners}},
@@ -132,32 +143,57 @@ BufferId add_corners(Plan& plan, const Part& part, const View& view, const Thing
   return corners;
 }
 
-// The list of a picture's blocks of pixels by what they show (shaders/shared/thing_tiles.glsl).
-BufferId add_tiles(Plan& plan, const Extent& grid, std::vector<Binding> reads, std::vector<Specialization> constants) {
-  const auto blocks = [](std::uint32_t pixels) { return (pixels + physics::kThingBlock - 1) / physics::kThingBlock; };
-  const std::size_t words = physics::kTileWords + std::size_t{blocks(grid.width)} * blocks(grid.height);
-  const BufferId tiles = plan.add_buffer({.name = "thing_tiles", .bytes = sizeof(std::uint32_t) * words});
-  plan.add_pass({.shader = "thing_tiles",
-                 .reads = std::move(reads),
-                 .writes = {{"tiles_out", tiles}},
-                 .grid = grid,
-                 .push_constants = {grid.width, grid.height},
-                 .specialization = std::move(constants),
-                 .cost = 3.0,
-                 .devices = Devices::processors});
-  return tiles;
-}
-
 // What a pass over things reads, beside what it writes to.
 struct ThingPass {
   std::vector<Binding> reads;
   std::vector<Specialization> constants;
-  std::vector<Binding> corner_reads;  // of thing_tiles
+  std::vector<Binding> corner_reads;  // of thing_blocks
   std::vector<Specialization> corner_constants;
   std::uint32_t steps = 0;
   bool tables = false;
   ThingsUnderCloud air;  // by tables
 };
+
+// What blocks of pixels show, the air up to that, and the list by which they are rendered.
+struct Blocks {
+  BufferId shown;
+  BufferId nodes;
+  BufferId tiles;
+};
+
+Blocks add_blocks(Plan& plan, const Part& part, const View& view, const ThingPass& pass, const Light& light) {
+  constexpr std::size_t kShown = 4 * sizeof(float);                    // ThingBlock
+  constexpr std::size_t kNodes = std::size_t{12} * 6 * sizeof(float);  // AirNode
+  constexpr std::uint32_t kThreads = 16;                               // of thing_block_air, a block
+  const Extent pixels = grid_of_blocks(part.scene, view);
+  const std::size_t count = std::size_t{pixels.width / physics::kThingBlock} * (pixels.height / physics::kThingBlock);
+  const Blocks blocks{.shown = plan.add_buffer({.name = "thing_blocks", .bytes = kShown * count, .zeroed = false}),
+                      .nodes = plan.add_buffer({.name = "thing_block_air", .bytes = kNodes * count, .zeroed = false}),
+                      .tiles = plan.add_buffer(
+                          {.name = "thing_tiles", .bytes = sizeof(std::uint32_t) * (physics::kTileWords + 2 * count)})};
+  plan.add_pass({.shader = "thing_blocks",
+                 .reads = pass.corner_reads,
+                 .writes = {{"blocks_out", blocks.shown}},
+                 .grid = pixels,
+                 .specialization = pass.corner_constants,
+                 .cost = 3.0});
+  std::vector<Binding> reads = light.reads();
+  reads.insert(reads.end(), pass.air.air.begin(), pass.air.air.end());
+  reads.push_back({"blocks", blocks.shown});
+  std::vector<Specialization> constants = light.constants;
+  constants.insert(constants.end(), pass.air.constants.begin(), pass.air.constants.end());
+  constants.push_back({"kProjection", projection_code(part.scene.camera.projection)});
+  constants.push_back({"kEdges", physics::kEdgesLeftOut});
+  constants.push_back({"kTiles", physics::kTilesAll});
+  plan.add_pass({.shader = "thing_block_air",
+                 .reads = std::move(reads),
+                 .writes = {{"nodes_out", blocks.nodes}, {"tiles_out", blocks.tiles}},
+                 .grid = {static_cast<std::uint32_t>(kThreads * count), 1, 1},
+                 .push_constants = {static_cast<std::uint32_t>(count)},
+                 .specialization = std::move(constants),
+                 .cost = 20.0});
+  return blocks;
+}
 
 // The air among things by tables.
 ThingsUnderCloud air_among(Plan& plan, const Part& part, const View& view, const Light& light,
@@ -235,29 +271,34 @@ ThingPass pass_of(Plan& plan, const Part& part, const View& view, const Light& l
   return pass;
 }
 
-// Passes over the blocks of the sky alone and over those of things, and where these do not pay the pass over all.
-void add_by_tiles(Plan& plan, PassDesc pass, BufferId tiles) {
-  pass.reads.push_back({"tiles", tiles});
-  for (const std::uint32_t kind : {physics::kTilesOfSky, physics::kTilesOfThings}) {
+// Passes over the blocks of the sky alone, over those of things, and over those whose air is not known.
+void add_by_blocks(Plan& plan, const PassDesc& pass, const Blocks& blocks) {
+  struct Kind {
+    std::uint32_t tiles;
+    const char* name;
+    double cost;  // together they are predicted to cost what one pass over all blocks does
+  };
+  for (const Kind& kind : {Kind{physics::kTilesOfSky, "sky", 0.1}, Kind{physics::kTilesOfThings, "things", 0.6},
+                           Kind{physics::kTilesExact, "things_exact", 0.3}}) {
     PassDesc one = pass;
-    const bool sky = kind == physics::kTilesOfSky;
-    one.name = sky ? "sky" : "things";
-    one.devices = Devices::processors;
-    one.groups = {tiles, sky ? 0U : 16U};
+    one.name = kind.name;
+    one.groups = {blocks.tiles, 16U * (kind.tiles - 1)};
+    one.reads.push_back({"tiles", blocks.tiles});
+    one.reads.push_back({"blocks", blocks.shown});
+    one.reads.push_back({"nodes", blocks.nodes});
     const auto put = [&](const char* name, std::uint32_t value) {
       std::ranges::find(one.specialization, name, &Specialization::name)->value = value;
     };
-    put("kTiles", kind);
-    if (sky) {
-      put("kSegments", 1);
+    put("kTiles", kind.tiles);
+    if (kind.tiles != physics::kTilesExact) {
+      put("kSegments", 1);  // no mirror shows
+    }
+    if (kind.tiles == physics::kTilesOfSky) {
       put("kEdges", physics::kEdgesLeftOut);
     }
-    // Together they are predicted to cost what one pass over all blocks does.
-    one.cost = sky ? 0.25 * pass.cost : 0.75 * pass.cost;
+    one.cost = kind.cost * pass.cost;
     plan.add_pass(std::move(one));
   }
-  pass.devices = Devices::others;
-  plan.add_pass(std::move(pass));
 }
 
 }  // namespace
@@ -268,21 +309,25 @@ void add_things_sky(Plan& plan, const Part& part, const View& view, const SkyTar
   found.constants.push_back({"kProjection", target.projection});
   PassDesc pass{.name = "sky",
                 .shader = found.tables ? "sky_things_tables" : "sky_things",
-                .reads = std::move(found.reads),
+                .reads = found.reads,
                 .writes = {{"radiance_out", target.radiance}},
                 .grid = target.grid,
                 .push_constants = {target.grid.width, target.grid.height, found.steps},
-                .specialization = std::move(found.constants),
+                .specialization = found.constants,
                 .cost = found.tables ? 40.0 : 3.0 * ray_cost(found.steps)};
-  if (!found.tables) {
-    plan.add_pass(std::move(pass));
-  } else if (!view.directions.empty()) {
-    pass.reads.push_back({"tiles", plan.add_buffer(filled_buffer("no_tiles", bytes_of(std::vector<float>(1))))});
-    plan.add_pass(std::move(pass));
-  } else {
+  // Among bodies alone the air of a block is cheaper to look up than to tell apart.
+  if (found.tables && part.scene.terrain && !has_cuts(part, view)) {
     found.corner_constants.push_back({"kProjection", target.projection});
-    add_by_tiles(plan, std::move(pass), add_tiles(plan, target.grid, found.corner_reads, found.corner_constants));
+    add_by_blocks(plan, pass, add_blocks(plan, part, view, found, light));
+    return;
   }
+  if (found.tables) {
+    const BufferId none = plan.add_buffer(filled_buffer("no_tiles", bytes_of(std::vector<float>(6))));
+    for (const char* name : {"tiles", "blocks", "nodes"}) {
+      pass.reads.push_back({name, none});
+    }
+  }
+  plan.add_pass(std::move(pass));
 }
 
 ThingsUnderCloud add_things_under_clouds(Plan& plan, const Part& part, const View& view, const SkyTarget& target,

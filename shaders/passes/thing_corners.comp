@@ -6,11 +6,12 @@
 #include "shared/things.glsl"
 #include "shared/picture_ray.glsl"
 #include "shared/thing_light.h"
+#include "shared/thing_tile.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(scalar, set = 0, binding = 9) writeonly buffer Corners { vec2 values[]; } corners_out;
 layout(push_constant, scalar) uniform Push {
-  uint width;  // of the tile and 1
+  uint width;  // of the tile's blocks and 1
   uint height;
 };
 
@@ -19,7 +20,7 @@ void main() {
   if (corner.x >= width || corner.y >= height) {
     return;
   }
-  vec2 at = vec2(corner + uvec2(scene.tile.x, scene.tile.y));
+  vec2 at = vec2(corner + uvec2(scene.tile.x, scene.tile.y) - before_tile());
   vec3 direction = view_ray(scene.camera, kProjection, at.x, at.y).direction;
   Sight sight = sight_of(vec3(0.0), direction);
   float terrain = kNoTerrain;

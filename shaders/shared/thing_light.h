@@ -15,13 +15,14 @@ const uint kDimmedSteps = 2u;
 
 const float kNoTerrain = 1e9f;  // km: a corner of a pixel that sees no terrain
 
-// Which blocks of kThingBlock x kThingBlock pixels a pass over things renders. Those of the sky alone, where no pixel
-// shows a thing or the ground or needs several rays, are a pass of their own: a software device runs the code of
-// surfaces for all pixels of a pass.
+// Which blocks of kThingBlock x kThingBlock pixels a pass over things renders. Where the air up to what a block shows
+// is known from few of its rays, blocks of the sky alone are one pass, where no pixel shows a thing or the ground or
+// needs several rays, and the others a second; the third asks the tables for the air of each ray.
 const uint kTilesAll = 0u;
 const uint kTilesOfSky = 1u;
 const uint kTilesOfThings = 2u;
+const uint kTilesExact = 3u;
 const uint kThingBlock = 8u;
-const uint kTileWords = 8u;  // of their list, before the blocks
+const uint kTileWords = 16u;  // of their list, before the blocks
 
 #endif

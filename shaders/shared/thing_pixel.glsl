@@ -1,9 +1,9 @@
 // The rays whose mean is a pixel of a picture of things.
 #include "shared/thing_light.h"
+#include "shared/thing_tile.glsl"
 
-layout(constant_id = 38) const uint kTiles = kTilesAll;
 
-layout(scalar, set = 0, binding = 18) readonly buffer Corners { vec2 values[]; } corners;  // of the tile, row by row
+layout(scalar, set = 0, binding = 18) readonly buffer Corners { vec2 values[]; } corners;  // of the tile's blocks, row by row
 
 const uint kEdgeSide = 4u;  // rays across a pixel with an edge or a shadow's edge
 // Rays of a pixel wholly in a mirror. No two share a row or a column of 8, so that an edge along either is resolved in
@@ -90,8 +90,9 @@ struct PixelCorners {
 };
 
 PixelCorners corners_of(uvec2 pixel) {
-  uint row = scene.tile.width + 1u;
-  uint first = pixel.y * row + pixel.x;
+  uint row = kThingBlock * tile_row() + 1u;
+  uvec2 at = pixel + before_tile();
+  uint first = at.y * row + at.x;
   vec2 a = corners.values[first];
   vec2 b = corners.values[first + 1u];
   vec2 c = corners.values[first + row];

@@ -13,7 +13,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 #ifdef AIRLIGHT_TILES
 #include "shared/thing_tiles.glsl"
-// passes/thing_tiles.comp; any buffer where kTiles is kTilesAll
+// passes/thing_block_air.comp; any buffer where kTiles is kTilesAll
 layout(scalar, set = 0, binding = 33) readonly buffer Tiles { uint values[]; } tiles;
 #endif
 
@@ -35,8 +35,9 @@ uvec2 first_pixel() {
     if (i >= tiles.values[tile_count_place(kTiles)]) {
       return uvec2(width, height);
     }
-    uint block = tiles.values[tile_place(kTiles, i, uvec2(width, height))];
-    return kThingBlock * uvec2(block & 0xffffu, block >> 16u);
+    uint all = tile_row() * ((before_tile().y + height + kThingBlock - 1u) / kThingBlock);
+    uint block = tiles.values[tile_place(kTiles, i, all)];
+    return first_of_block(uvec2(block & 0xffffu, block >> 16u));
   }
 #endif
   return kThingBlock * gl_WorkGroupID.xy;

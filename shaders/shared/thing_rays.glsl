@@ -10,6 +10,9 @@
 #include "physics/terrain_light.glsl"
 #include "physics/sphere_light.glsl"
 #include "shared/thing_pixel.glsl"
+#ifdef AIRLIGHT_BLOCK_AIR
+#include "shared/block_air.glsl"
+#endif
 #include "shared/thing_shares.glsl"
 #include "physics/things_light.glsl"
 #ifdef AIRLIGHT_CLOUDS
@@ -37,9 +40,18 @@ Gathered gathered_along(vec3 direction, float spread, float bare, uint steps) {
       real up_to = optical_length(scene.planet, sight.from.h, sight.track.mu, hit.distance_);
       ray = ray_up_to(scene.planet, sight.from.h, sight.track.mu, ray, up_to);
     }
-    SkyFactors air = factors_past_things(sight, ray, steps);
-    sum = with_air(sum, air, seen_cosine(scene.sun, ray.mu, ray.nu), through, i == 0u);
-    through *= air.transmittance;
+#ifdef AIRLIGHT_BLOCK_AIR
+    if (knows_air()) {
+      KnownAir air = known_air(hit.what == kMeetsSky, hit.distance_, ray.length_);
+      sum = with_light(sum, air.light);
+      through = air.transmittance;
+    } else
+#endif
+    {
+      SkyFactors air = factors_past_things(sight, ray, steps);
+      sum = with_air(sum, air, seen_cosine(scene.sun, ray.mu, ray.nu), through, i == 0u);
+      through *= air.transmittance;
+    }
 #ifdef AIRLIGHT_CLOUDS
     sum.distance_ = i == 0u && hits_thing(hit) ? hit.distance_ : sum.distance_;
 #endif

@@ -1,13 +1,14 @@
-// The list of a picture's blocks of pixels (passes/thing_tiles.comp). For each of two kinds it holds three counts of
-// workgroups, one for a block, and the number of blocks. Then come the blocks as x and y of 16 bits, those of the sky
-// alone from the front, those of things from the back.
+// The list of a tile's blocks of pixels by the pass that renders them (passes/thing_block_air.comp). For each kind it
+// holds three counts of workgroups, one for a block, and the number of blocks. Then come the blocks as x and y of 16
+// bits: of two kinds from the front and from the back of a row as long as there are blocks, of the third in a second
+// one.
 
 const uint kTileGroups = 64u;  // workgroups along x: a device need not take more than 65535 along an axis
 
-uint tile_count_place(uint kind) { return kind == kTilesOfSky ? 3u : 7u; }
-uint tile_group_place(uint kind) { return kind == kTilesOfSky ? 0u : 4u; }
+uint tile_group_place(uint kind) { return 4u * (kind - 1u); }
+uint tile_count_place(uint kind) { return tile_group_place(kind) + 3u; }
 
-uint tile_place(uint kind, uint i, uvec2 picture) {
-  uvec2 blocks = (picture + kThingBlock - 1u) / kThingBlock;
-  return kTileWords + (kind == kTilesOfSky ? i : blocks.x * blocks.y - 1u - i);
+// `all`: number of blocks.
+uint tile_place(uint kind, uint i, uint all) {
+  return kTileWords + (kind == kTilesOfSky ? i : kind == kTilesOfThings ? all - 1u - i : all + i);
 }
