@@ -22,7 +22,7 @@ Cost predicted_cost(const Plan& plan, const IsKept& is_there) {
   const std::vector<bool> of_picture = passes_to_run(plan, [&](ResourceId id) { return is_table(plan, id); });
   Cost cost;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    if (runs[i] && runs_on(plan.passes()[i], true)) {
+    if (runs[i]) {
       (of_picture[i] ? cost.picture : cost.tables) += cost_of(plan.passes()[i]);
     }
   }

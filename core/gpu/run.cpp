@@ -95,10 +95,7 @@ RunResult Run::execute() {
 }
 
 void Run::choose_steps() {
-  std::vector<bool> runs = passes_to_run(plan_, [&](ResourceId id) { return resources_.is_kept(id); });
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    runs[i] = runs[i] && runs_on(plan_.passes()[i], !machinery_.teams);
-  }
+  const std::vector<bool> runs = passes_to_run(plan_, [&](ResourceId id) { return resources_.is_kept(id); });
   const std::vector<bool> barriers = barriers_before(plan_, runs);
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const PassDesc& pass = plan_.passes()[i];

@@ -147,40 +147,62 @@ BufferId add_corners(Plan& plan, const Part& part, const View& view, const Thing
 struct ThingPass {
   std::vector<Binding> reads;
   std::vector<Specialization> constants;
-  std::vector<Binding> corner_reads;  // of thing_blocks
-  std::vector<Specialization> corner_constants;
+  ThingInputs things;
+  BufferId corners;
   std::uint32_t steps = 0;
   bool tables = false;
   ThingsUnderCloud air;  // by tables
 };
 
-// What blocks of pixels show, the air up to that, and the list by which they are rendered.
+std::uint32_t count_of_blocks(const Extent& pixels) {
+  return pixels.width / physics::kThingBlock * (pixels.height / physics::kThingBlock);
+}
+
+// The list by which blocks of pixels are rendered (shaders/shared/thing_tiles.glsl).
+BufferId add_list(Plan& plan, std::uint32_t count) {
+  return plan.add_buffer(
+      {.name = "thing_tiles", .bytes = sizeof(std::uint32_t) * (physics::kTileWords + std::size_t{2} * count)});
+}
+
+// What blocks of pixels show, the air up to that, and their list.
 struct Blocks {
   BufferId shown;
   BufferId nodes;
   BufferId tiles;
 };
 
-Blocks add_blocks(Plan& plan, const Part& part, const View& view, const ThingPass& pass, const Light& light) {
+std::vector<Specialization> block_constants(const Part& part, const ThingInputs& things) {
+  std::vector<Specialization> constants = medium_specialization(part.air);
+  constants.insert(constants.end(), things.constants.begin(), things.constants.end());
+  constants.push_back({"kProjection", projection_code(part.scene.camera.projection)});
+  constants.push_back({"kTiles", physics::kTilesAll});
+  return constants;
+}
+
+// Over terrain.
+Blocks add_known_air(Plan& plan, const Part& part, const View& view, const ThingPass& pass, const Light& light) {
   constexpr std::size_t kShown = 4 * sizeof(float);                    // ThingBlock
   constexpr std::size_t kNodes = std::size_t{12} * 6 * sizeof(float);  // AirNode
   constexpr std::uint32_t kThreads = 16;                               // of thing_block_air, a block
   const Extent pixels = grid_of_blocks(part.scene, view);
-  const std::size_t count = std::size_t{pixels.width / physics::kThingBlock} * (pixels.height / physics::kThingBlock);
+  const std::uint32_t count = count_of_blocks(pixels);
   const Blocks blocks{.shown = plan.add_buffer({.name = "thing_blocks", .bytes = kShown * count, .zeroed = false}),
                       .nodes = plan.add_buffer({.name = "thing_block_air", .bytes = kNodes * count, .zeroed = false}),
-                      .tiles = plan.add_buffer(
-                          {.name = "thing_tiles", .bytes = sizeof(std::uint32_t) * (physics::kTileWords + 2 * count)})};
+                      .tiles = add_list(plan, count)};
+  std::vector<Binding> reads = pass.things.reads;
+  reads.push_back({"corners", pass.corners});
+  std::vector<Specialization> constants = block_constants(part, pass.things);
+  constants.push_back({"kEdges", physics::kEdgesFound});
   plan.add_pass({.shader = "thing_blocks",
-                 .reads = pass.corner_reads,
+                 .reads = std::move(reads),
                  .writes = {{"blocks_out", blocks.shown}},
                  .grid = pixels,
-                 .specialization = pass.corner_constants,
+                 .specialization = std::move(constants),
                  .cost = 3.0});
-  std::vector<Binding> reads = light.reads();
+  reads = light.reads();
   reads.insert(reads.end(), pass.air.air.begin(), pass.air.air.end());
   reads.push_back({"blocks", blocks.shown});
-  std::vector<Specialization> constants = light.constants;
+  constants = light.constants;
   constants.insert(constants.end(), pass.air.constants.begin(), pass.air.constants.end());
   constants.push_back({"kProjection", projection_code(part.scene.camera.projection)});
   constants.push_back({"kEdges", physics::kEdgesLeftOut});
@@ -188,10 +210,24 @@ Blocks add_blocks(Plan& plan, const Part& part, const View& view, const ThingPas
   plan.add_pass({.shader = "thing_block_air",
                  .reads = std::move(reads),
                  .writes = {{"nodes_out", blocks.nodes}, {"tiles_out", blocks.tiles}},
-                 .grid = {static_cast<std::uint32_t>(kThreads * count), 1, 1},
-                 .push_constants = {static_cast<std::uint32_t>(count)},
+                 .grid = {kThreads * count, 1, 1},
+                 .push_constants = {count},
                  .specialization = std::move(constants),
                  .cost = 20.0});
+  return blocks;
+}
+
+// Without terrain, where rays ask for the air themselves.
+Blocks add_bodies_aside(Plan& plan, const Part& part, const View& view, const ThingInputs& things, BufferId none) {
+  const std::uint32_t count = count_of_blocks(grid_of_blocks(part.scene, view));
+  const Blocks blocks{.shown = none, .nodes = none, .tiles = add_list(plan, count)};
+  plan.add_pass({.shader = "thing_lists",
+                 .reads = things.reads,
+                 .writes = {{"tiles_out", blocks.tiles}},
+                 .grid = {count, 1, 1},
+                 .push_constants = {count},
+                 .specialization = block_constants(part, things),
+                 .cost = 1.0});
   return blocks;
 }
 
@@ -231,8 +267,8 @@ ThingPass pass_of(Plan& plan, const Part& part, const View& view, const Light& l
   constexpr std::uint32_t kMirrorSegments = 6;
   ThingPass pass{.reads = light.reads(),
                  .constants = light.constants,
-                 .corner_reads = {},
-                 .corner_constants = {},
+                 .things = add_things(plan, part.scene, part.things),
+                 .corners = {},
                  .steps = steps_past_things(part, light),
                  .tables = tables,
                  .air = {}};
@@ -241,19 +277,14 @@ ThingPass pass_of(Plan& plan, const Part& part, const View& view, const Light& l
   pass.constants.push_back({"kTiles", physics::kTilesAll});
   pass.constants.push_back({"kSegments", mirrors ? kMirrorSegments : 1U});
   pass.constants.push_back({"kDiscShows", part.scene.sun.disc.visible ? 1U : 0U});
-  const ThingInputs things = add_things(plan, part.scene, part.things);
+  const ThingInputs& things = pass.things;
   pass.reads.insert(pass.reads.end(), things.reads.begin(), things.reads.end());
   pass.constants.insert(pass.constants.end(), things.constants.begin(), things.constants.end());
   const ThingLight among = add_thing_light(plan, part, light, things);
   const std::vector<Binding> shares = among.reads();
   pass.reads.insert(pass.reads.end(), shares.begin(), shares.end());
-  pass.corner_reads = things.reads;
-  pass.corner_reads.push_back({"corners", add_corners(plan, part, view, things)});
-  pass.reads.push_back(pass.corner_reads.back());
-  pass.corner_constants = medium_specialization(part.air);
-  pass.corner_constants.insert(pass.corner_constants.end(), things.constants.begin(), things.constants.end());
-  pass.corner_constants.push_back({"kEdges", physics::kEdgesFound});
-  pass.corner_constants.push_back({"kTiles", physics::kTilesAll});
+  pass.corners = add_corners(plan, part, view, things);
+  pass.reads.push_back({"corners", pass.corners});
   if (tables || clouds) {
     pass.air = air_among(plan, part, view, light, things, among);
   }
@@ -271,8 +302,8 @@ ThingPass pass_of(Plan& plan, const Part& part, const View& view, const Light& l
   return pass;
 }
 
-// Passes over the blocks of the sky alone, over those of things, and over those whose air is not known.
-void add_by_blocks(Plan& plan, const PassDesc& pass, const Blocks& blocks) {
+// Passes over the blocks of the sky alone, over those that are simple, and over all others.
+void add_by_blocks(Plan& plan, const PassDesc& pass, BufferId tiles, bool terrain) {
   struct Kind {
     std::uint32_t tiles;
     const char* name;
@@ -282,19 +313,17 @@ void add_by_blocks(Plan& plan, const PassDesc& pass, const Blocks& blocks) {
                            Kind{physics::kTilesExact, "things_exact", 0.3}}) {
     PassDesc one = pass;
     one.name = kind.name;
-    one.groups = {blocks.tiles, 16U * (kind.tiles - 1)};
-    one.reads.push_back({"tiles", blocks.tiles});
-    one.reads.push_back({"blocks", blocks.shown});
-    one.reads.push_back({"nodes", blocks.nodes});
-    const auto put = [&](const char* name, std::uint32_t value) {
-      std::ranges::find(one.specialization, name, &Specialization::name)->value = value;
+    one.groups = {tiles, 16U * (kind.tiles - 1)};
+    const auto value_of = [&](const char* name) -> std::uint32_t& {
+      return std::ranges::find(one.specialization, name, &Specialization::name)->value;
     };
-    put("kTiles", kind.tiles);
+    value_of("kTiles") = kind.tiles;
     if (kind.tiles != physics::kTilesExact) {
-      put("kSegments", 1);  // no mirror shows
+      value_of("kSegments") = 1;  // no mirror shows
+      value_of("kThings") |= terrain ? 0U : physics::kBodiesAside;
     }
     if (kind.tiles == physics::kTilesOfSky) {
-      put("kEdges", physics::kEdgesLeftOut);
+      value_of("kEdges") = physics::kEdgesLeftOut;
     }
     one.cost = kind.cost * pass.cost;
     plan.add_pass(std::move(one));
@@ -315,19 +344,27 @@ void add_things_sky(Plan& plan, const Part& part, const View& view, const SkyTar
                 .push_constants = {target.grid.width, target.grid.height, found.steps},
                 .specialization = found.constants,
                 .cost = found.tables ? 40.0 : 3.0 * ray_cost(found.steps)};
-  // Among bodies alone the air of a block is cheaper to look up than to tell apart.
-  if (found.tables && part.scene.terrain && !has_cuts(part, view)) {
-    found.corner_constants.push_back({"kProjection", target.projection});
-    add_by_blocks(plan, pass, add_blocks(plan, part, view, found, light));
+  if (!found.tables) {
+    plan.add_pass(std::move(pass));
     return;
   }
-  if (found.tables) {
-    const BufferId none = plan.add_buffer(filled_buffer("no_tiles", bytes_of(std::vector<float>(6))));
-    for (const char* name : {"tiles", "blocks", "nodes"}) {
-      pass.reads.push_back({name, none});
-    }
+  const bool terrain = part.scene.terrain.has_value();
+  const bool apart = terrain ? !has_cuts(part, view) : view.directions.empty();
+  const BufferId none = plan.add_buffer(filled_buffer("no_blocks", bytes_of(std::vector<float>(6))));
+  Blocks blocks{.shown = none, .nodes = none, .tiles = none};
+  if (apart) {
+    // Without terrain the air is cheaper to look up than to find between a block's corners.
+    blocks = terrain ? add_known_air(plan, part, view, found, light)
+                     : add_bodies_aside(plan, part, view, found.things, none);
   }
-  plan.add_pass(std::move(pass));
+  pass.reads.push_back({"tiles", blocks.tiles});
+  pass.reads.push_back({"blocks", blocks.shown});
+  pass.reads.push_back({"nodes", blocks.nodes});
+  if (apart) {
+    add_by_blocks(plan, pass, blocks.tiles, terrain);
+  } else {
+    plan.add_pass(std::move(pass));
+  }
 }
 
 ThingsUnderCloud add_things_under_clouds(Plan& plan, const Part& part, const View& view, const SkyTarget& target,

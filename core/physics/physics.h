@@ -190,6 +190,7 @@ struct Physics : HostBodies {
   }
 #include "shaders/physics/ocean_glint.glsl"
 #include "shaders/physics/ground_map.glsl"
+  bool bodies_stand_aside() const { return false; }
 #include "shaders/physics/bodies.glsl"
   bool has_terrain() const { return terrain_maps != nullptr; }
 #include "shaders/physics/things.glsl"

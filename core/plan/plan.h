@@ -86,10 +86,6 @@ constexpr std::uint32_t push_constant(double value) {
   return std::bit_cast<std::uint32_t>(static_cast<float>(value));
 }
 
-// Where a pass runs. Processors run the code of branches that are not taken, other devices do not: what pays on the one
-// costs on the others.
-enum class Devices { all, processors, others };
-
 struct GroupCount {
   BufferId buffer;
   std::uint32_t offset = 0;  // bytes, a multiple of 4
@@ -114,13 +110,8 @@ struct PassDesc {
   // Where an earlier pass finds how many workgroups there are to run: at this byte of a buffer that the pass reads
   // stand three uint. The grid then counts for limits and costs alone.
   std::optional<GroupCount> groups = {};
-  Devices devices = Devices::all;
   std::uint32_t scene = 0;  // which of the plan's scenes its uniform block holds; set by Plan::add_pass
 };
-
-constexpr bool runs_on(const PassDesc& pass, bool processor) {
-  return pass.devices == Devices::all || (pass.devices == Devices::processors) == processor;
-}
 
 // Alignment of a storage buffer's range that every device supports.
 inline constexpr std::size_t kSceneTablesAlignment = 256;

@@ -19,12 +19,11 @@
 #include "shared/thing_tables.glsl"
 #include "shared/thing_light.h"
 #include "shared/thing_tile.glsl"
-#include "shared/thing_tiles.glsl"
 #include "shared/thing_blocks.glsl"
 
 const uint kThreads = 128u;
 layout(local_size_x = 128) in;
-layout(scalar, set = 0, binding = 33) buffer Tiles { uint values[]; } tiles_out;
+#include "shared/thing_listing.glsl"
 layout(scalar, set = 0, binding = 43) readonly buffer Blocks { ThingBlock values[]; } blocks;
 layout(scalar, set = 0, binding = 44) writeonly buffer Nodes { AirNode values[]; } nodes_out;
 layout(push_constant, scalar) uniform Push { uint all; };  // blocks
@@ -32,11 +31,8 @@ layout(push_constant, scalar) uniform Push { uint all; };  // blocks
 const uint kLanes = 16u;       // threads of a block
 const uint kCheckSky = kNodes;  // in the middle
 const uint kChecks = kNodes + 1u;  // three up to surfaces: in the middle and a quarter to either side of it
-const uint kKinds = 3u;
 
 shared AirNode nodes[kThreads];
-shared uint counts[kKinds];  // blocks of the workgroup by kind
-shared uint firsts[kKinds];  // where they begin in the list
 
 // The greatest error of a pixel within a block, as a share of its light. Light of a dark surface in the shade counts
 // as a pixel's, and what the air leaves of a bright one's as well.
@@ -127,29 +123,9 @@ void main() {
   }
   AirNode node = node_along(sight, ray, sky);
   nodes[thread] = node;
-  if (thread < kKinds) {
-    counts[thread] = 0u;
-  }
   if (mine && lane < kNodes) {
     nodes_out.values[index * kNodes + lane] = node;
   }
   barrier();
-  bool lists = mine && lane == 0u;
-  uint kind = kind_of(block, thread - lane, span);
-  uint place = lists ? atomicAdd(counts[kind - 1u], 1u) : 0u;
-  barrier();
-  // Of all blocks one by one, the count would be the whole pass of a GPU.
-  if (thread < kKinds && counts[thread] > 0u) {
-    uint count = counts[thread];
-    uint first = atomicAdd(tiles_out.values[tile_count_place(thread + 1u)], count);
-    uint groups = tile_group_place(thread + 1u);
-    tiles_out.values[groups] = kTileGroups;
-    atomicMax(tiles_out.values[groups + 1u], (first + count - 1u) / kTileGroups + 1u);
-    tiles_out.values[groups + 2u] = 1u;
-    firsts[thread] = first;
-  }
-  barrier();
-  if (lists) {
-    tiles_out.values[tile_place(kind, firsts[kind - 1u] + place, all)] = at.x | (at.y << 16u);
-  }
+  list_block(mine && lane == 0u, kind_of(block, thread - lane, span), at, all);
 }

@@ -159,6 +159,9 @@ struct Place {
   vec3 up;
 };
 
+// Angle between unit vectors, to full precision at any angle.
+real angle_between(vec3 a, vec3 b) { return 2.0 * atan(length(a - b), length(a + b)); }
+
 Place place_at(PlanetData planet, real camera_altitude, vec3 point) {
   real r = planet.ground_radius + camera_altitude;
   real rise = 2.0 * r * point.y + dot(point, point);

@@ -20,9 +20,6 @@ real glare_spread(real angle, real blur) {
   return kGlareNear * 20.91 / (square * at) + (1.0 - kGlareNear) * 72.37 / square;
 }
 
-// Angle between unit vectors, to full precision at any angle.
-real angle_between(vec3 a, vec3 b) { return 2.0 * atan(length(a - b), length(a + b)); }
-
 vec3 glare_of_point(GlarePoint point, real angle, real pixel_blur) {
   return point.irradiance * glare_spread(angle, sqrt(point.blur * point.blur + pixel_blur * pixel_blur));
 }

@@ -4,7 +4,7 @@
 layout(scalar, set = 0, binding = 43) readonly buffer Blocks { ThingBlock values[]; } blocks;
 layout(scalar, set = 0, binding = 44) readonly buffer Nodes { AirNode values[]; } nodes;
 
-bool knows_air() { return kTiles == kTilesOfSky || kTiles == kTilesOfThings; }
+bool knows_air() { return has_terrain() && (kTiles == kTilesOfSky || kTiles == kTilesOfThings); }
 
 AirNode between_corners(uint first, vec4 shares) {
   AirNode sum = AirNode(vec3(0.0), vec3(0.0));

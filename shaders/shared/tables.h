@@ -39,6 +39,7 @@ const uint kJitterBlueNoise = 2u;
 const uint kHasTerrain = 1u;
 const uint kHasSpheres = 2u;
 const uint kHasGroundMaps = 4u;  // planet.albedo_map, planet.ocean
+const uint kBodiesAside = 8u;    // no ray of the pass meets one, or crosses its shadow
 
 // Shadows of things in the air. To the march all but none are the same.
 const uint kShaftsNone = 0u;

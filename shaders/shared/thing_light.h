@@ -15,9 +15,10 @@ const uint kDimmedSteps = 2u;
 
 const float kNoTerrain = 1e9f;  // km: a corner of a pixel that sees no terrain
 
-// Which blocks of kThingBlock x kThingBlock pixels a pass over things renders. Where the air up to what a block shows
-// is known from few of its rays, blocks of the sky alone are one pass, where no pixel shows a thing or the ground or
-// needs several rays, and the others a second; the third asks the tables for the air of each ray.
+// Which blocks of kThingBlock x kThingBlock pixels a pass over things renders. Blocks of the sky alone are one pass,
+// where no pixel shows a thing or the ground or needs several rays. A second are others that are simple: over terrain
+// those where the air up to what they show is known from few of their rays; without terrain those of ground from which
+// bodies stand aside. The third holds all that are not.
 const uint kTilesAll = 0u;
 const uint kTilesOfSky = 1u;
 const uint kTilesOfThings = 2u;

@@ -28,7 +28,7 @@ struct BodiesHeld {
 // Whether bodies leave the sun's light as it is, or wholly take it, within `width` of a place.
 bool is_evenly_lit(vec3 point, float width) {
   float share = 1.0;
-  for (uint i = 0u; i < body_count(); i++) {
+  for (uint i = 0u; i < bodies_before(); i++) {
     float far = max(length(ball_of_body(i).centre - point), 1e-9);
     share = min(share, sun_past_body(i, point, scene.sun.seen, scene.sun.angular_radius + width / far));
   }
@@ -49,7 +49,7 @@ bool mirrors_evenly(BodyHit hit, vec3 direction, float reach) {
   // Of the directions that the pixel's rays go on in; a ball bends most in the plane of the ray.
   float wide = reach * (1.0 + 2.0 * hit.distance_ / (ball_of_body(hit.which).radius * max(-cosine, 0.02)));
   bool even = !has_terrain() && !has_ground_maps() && length(away - scene.sun.seen) > wide + kAroundSun;
-  for (uint i = 0u; i < body_count(); i++) {
+  for (uint i = 0u; i < bodies_before(); i++) {
     vec3 to = ball_of_body(i).centre - point;
     float along = dot(to, away);
     float radius = ball_of_body(i).radius;
@@ -68,9 +68,10 @@ bool mirrors_evenly(BodyHit hit, vec3 direction, float reach) {
 // `tells_even`: whether mirrors that show one thing are told from others.
 BodiesHeld bodies_held(vec3 direction, float reach, bool tells_even) {
   BodiesHeld held = BodiesHeld(false, false);
-  for (uint i = 0u; i < body_count(); i++) {
+  for (uint i = 0u; i < bodies_before(); i++) {
     float off = angle_from_body(i, direction);
-    held.edge = held.edge || abs(off) < reach;
+    // Beside a body a pixel is even, within its edge it is not.
+    held.edge = held.edge || (off < 0.6 * reach && off > -reach);
     held.mirror = held.mirror || (ball_of_body(i).material == kSphereMirror && off < 0.0);
   }
   uint mirrors = tells_even && held.mirror && !held.edge ? 1u : 0u;

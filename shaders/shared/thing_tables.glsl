@@ -51,10 +51,10 @@ float share_past_terrain(Sight sight, float from, float to) {
 vec3 lit_single(VolumeRay of, Phases p, Sight sight, float distance_, vec3 all) {
   vec3 sum = single_to(of, p, sight, distance_, all);
   float at = 0.0;
-  for (uint turn = 0u; turn < body_count(); turn++) {
+  for (uint turn = 0u; turn < bodies_before(); turn++) {
     float from = distance_;
     float to = distance_;
-    for (uint i = 0u; i < body_count(); i++) {
+    for (uint i = 0u; i < bodies_before(); i++) {
       ShadowSpan span = shadow_of_body(i, sight.from.point, sight.direction, scene.sun.seen);
       bool next = span.to > at && span.from < from;
       from = next ? max(span.from, at) : from;

@@ -7,6 +7,7 @@ layout(constant_id = 33) const uint kThings = 0u;  // bits kHasTerrain, ...
 
 bool has_terrain() { return (kThings & kHasTerrain) != 0u; }
 bool has_ground_maps() { return (kThings & kHasGroundMaps) != 0u; }
+bool bodies_stand_aside() { return (kThings & kBodiesAside) != 0u; }
 
 uvec2 here;  // the pixel of the tile at hand
 

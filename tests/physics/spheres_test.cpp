@@ -150,6 +150,58 @@ TEST(Spheres, ShadeTheRayBehindThem) {
   EXPECT_GT(dark, 30);
 }
 
+// Rays within a cone that a ball stands aside of: none meets it or its shadow, in the air or where the ground is, not
+// even its penumbra. Judged by rays, balls from a millimetre to a hundred kilometres, and the sun at any height.
+TEST(Spheres, StandAsideOfRaysThatMeetNeitherThemNorTheirShadow) {
+  std::mt19937_64 engine(5);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  Physics p = make_physics(earth());
+  const double altitude = 0.0016;
+  p.scene.camera.altitude = altitude;
+  int aside = 0;
+  int all = 0;
+  for (int k = 0; k < 4000; ++k) {
+    const double radius = std::pow(10.0, -6.0 + 8.0 * uniform(engine));
+    const double far = radius * (1.5 + 500.0 * uniform(engine) * uniform(engine));
+    const vec3 to = p.direction_from_angles(std::asin(1.2 * uniform(engine) - 0.2), 6.28 * uniform(engine));
+    p.spheres = {sphere_at(to * far, radius)};
+    const double elevation = k % 2 == 0 ? 0.2 * uniform(engine) - 0.05 : 1.5 * uniform(engine);
+    p.scene.sun.seen = p.direction_from_angles(elevation, 6.28 * uniform(engine));
+    const double wide = (k % 4 < 2 ? 0.05 : 0.001) * uniform(engine);
+    const auto shadow = p.ray_from(p.scene.planet, altitude, to * far, -p.scene.sun.seen, p.scene.sun.seen);
+    for (int n = 0; n < 8; ++n) {
+      // Toward the ball and its shadow, where it is hard: anywhere, and on the ground.
+      const bool ends = n % 2 == 0 && shadow.at_ground && shadow.length_ > 0.0;
+      const double along = ends ? shadow.length_ : far * std::pow(10.0, 4.0 * uniform(engine) - 2.0);
+      const vec3 near = normalize(to * far - p.scene.sun.seen * along);
+      const double off = std::pow(10.0, -3.5 * uniform(engine));
+      const vec3 middle = normalize(
+          near + p.direction_from_angles(std::asin(2.0 * uniform(engine) - 1.0), 6.28 * uniform(engine)) * off);
+      ++all;
+      if (!p.stands_aside(p.scene.planet, altitude, 0, middle, wide, p.scene.sun)) {
+        continue;
+      }
+      ++aside;
+      for (int m = 0; m < 40; ++m) {
+        const vec3 random = p.direction_from_angles(std::asin(2.0 * uniform(engine) - 1.0), 6.28 * uniform(engine));
+        const vec3 across = normalize(random - middle * dot(random, middle));
+        const vec3 direction = normalize(middle + across * std::tan(wide * std::sqrt(uniform(engine))));
+        EXPECT_FALSE(p.nearest_body(vec3(0.0), direction, physics::kNoBody).hit);
+        const auto ray = p.ray_from(p.scene.planet, altitude, vec3(0.0), direction, p.scene.sun.seen);
+        const double end = ray.at_ground ? ray.length_ : 1e9;
+        const auto span = p.shadow_of_body(0, vec3(0.0), direction, p.scene.sun.seen);
+        EXPECT_FALSE(span.to > 0.0 && span.from < std::min(span.to, end)) << radius << " " << far << " " << elevation;
+        if (ray.at_ground) {
+          EXPECT_EQ(p.sun_past_body(0, direction * end, p.scene.sun.seen, p.scene.sun.angular_radius), 1.0)
+              << radius << " " << far << " " << elevation << " " << end;
+        }
+      }
+    }
+  }
+  EXPECT_GT(aside, all / 10);
+  EXPECT_LT(aside, all - all / 10);
+}
+
 TEST(Spheres, RaysLeaveThemInTheirOwnVertical) {
   Physics p = make_physics(earth());
   const physics::PlanetData& planet = p.scene.planet;

@@ -47,9 +47,6 @@ struct Shaders {
 void want(const Plan& plan, const Shaders& shaders, Wanted& wanted) {
   for (const PassDesc& pass : plan.passes()) {
     for (const bool teams : {false, true}) {
-      if (!runs_on(pass, !teams)) {
-        continue;
-      }
       const MatchedPass matched = match(plan, pass, shaders.infos.at(pass.shader), teams);
       const std::scoped_lock lock(wanted.mutex);
       wanted.modules.try_emplace({pass.shader, matched.constants});
