@@ -174,6 +174,9 @@ void require_layers(const PictureOptions& options, const Scene& scene, bool exr,
     throw InputError(command + ": --layers: " + scene.render.method +
                      " does not tell its light apart; choose --method " + methods_with_layers());
   }
+  if (const std::string why = no_layers(scene); !why.empty()) {
+    throw InputError(command + ": --layers: " + why);
+  }
   if (scene.camera.polariser) {
     throw InputError(command + ": --layers: layers hold light before the lens, where camera.polariser counts for " +
                      "nothing; leave one of the two out");

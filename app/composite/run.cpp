@@ -346,7 +346,13 @@ void require_spans(const Scene& scene, bool by_method) {
         "composite: camera.polariser: nothing tells how the beauty's light is polarised, so no filter can "
         "be put before it; take the filter out of the preset");
   }
-  if (!by_method || method_of(scene).add_span_passes != nullptr) {
+  if (!by_method) {
+    return;
+  }
+  if (method_of(scene).add_span_passes != nullptr) {
+    if (const std::string why = no_layers(scene); !why.empty()) {
+      throw InputError("composite: " + why);
+    }
     return;
   }
   const std::string names = joined_of(methods(), [](const SkyMethod& method) {

@@ -126,12 +126,11 @@ void place(Cloud& cloud, const Planet& planet) {
 }  // namespace
 
 void fill_voxels(const VoxelsReader& read, Scene& scene, const Scene* like) {
-  for (std::size_t i = 0; i < scene.clouds.size(); ++i) {
-    Cloud& cloud = scene.clouds[i];
+  for (Cloud& cloud : scene.clouds) {
     if (!cloud.voxels) {
       continue;
     }
-    const std::string key = "/clouds/" + std::to_string(i) + "/file: ";
+    const std::string key = "/clouds/" + std::to_string(cloud.index) + "/file: ";
     try {
       const std::string origin = origin_of(cloud);
       const auto known = [&](const Cloud& other) { return other.contents && other.contents->origin == origin; };

@@ -221,6 +221,7 @@ Scene judged(const Preset& preset, const FileReaders& read, const Scene* like) {
   } catch (const InputError& error) {
     throw InputError(preset.source + ": " + error.what());
   }
+  refuse_misfits(preset, scene, method_infos());
   return scene;
 }
 

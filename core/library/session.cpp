@@ -74,6 +74,9 @@ LayerSet layers_called(const std::string& name, const Stage& stage) {
     throw InputError("layers: " + scene.render.method + " does not tell its light apart; choose the method " +
                      methods_with_layers());
   }
+  if (const std::string why = no_layers(scene); !why.empty()) {
+    throw InputError("layers: " + why);
+  }
   if (scene.camera.polariser) {
     throw InputError(
         "layers: layers hold light before the lens, where camera.polariser counts for nothing; leave one of the two "

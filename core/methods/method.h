@@ -149,6 +149,9 @@ struct SkyMethod {
   std::vector<std::string> (*bounds)(const Part&) = nullptr;
   // The layers of the camera's picture. Null: the method cannot keep them apart.
   LayerPasses (*add_layer_passes)(Plan&, const Part&, const View&) = nullptr;
+  // Why it has neither layers nor the air before things (below) of this scene, and what to do; empty: it has. Null: of
+  // every scene it has those that it has at all.
+  std::string (*no_layers)(const Scene&) = nullptr;
   // Whether it tells Q and U of listed directions, and as layers (View::stokes).
   bool has_stokes = false;
   // The air between the camera and things. Null: the method computes whole rays only.
@@ -170,6 +173,9 @@ const SkyMethod* find_method(std::string_view name);
 
 // The scene's method; resolve() has refused unknown names.
 const SkyMethod& method_of(const Scene& scene);
+
+// SkyMethod::no_layers of the scene's method.
+std::string no_layers(const Scene& scene);
 
 // Whether the scene's method takes samples, on the host.
 bool samples(const Scene& scene);

@@ -139,7 +139,7 @@ void add_marched_sky(Plan& plan, const Part& part, const View& view, const SkyTa
 }
 
 LayerPasses add_layers(Plan& plan, const Part& part, const View& view) {
-  orders::refuse_around_clouds(part, true);
+  orders::refuse_around_clouds(part.scene, true);
   const Light light = add_light(plan, part);
   if (part.things.stand_in_the_air() || part.scene.ground) {
     return {orders::add_things_layers(plan, part, view, light), light.transmittance};
@@ -198,7 +198,7 @@ SkyPasses add_filtered_clouds(Plan& plan, const Part& part, const View& view) {
 }
 
 SkyPasses add_orders(Plan& plan, const Part& part, const View& view) {
-  orders::refuse_around_clouds(part, false);
+  orders::refuse_around_clouds(part.scene, false);
   if (!part.scene.clouds.empty() && stokes_of(part, view) == physics::kStokesFiltered) {
     return add_filtered_clouds(plan, part, view);
   }
@@ -271,6 +271,8 @@ SkyMethod orders_method() {
   method.info.knows_clouds = true;
   method.info.knows_polarisers = true;
   method.info.bends_light = true;
+  method.info.misfits = orders::cloud_misfits;
+  method.no_layers = orders::no_layers_of;
   method.validity.leaves_out = "harmonics above the degree kept, and polarisation by other media than molecules";
   method.bounds = bounds;
   const std::string never = "never";

@@ -9,8 +9,6 @@
 #include <vector>
 
 #include "core/air/scene_block.h"
-#include "core/base/error.h"
-#include "core/base/text.h"
 #include "core/clouds/cloud_grid.h"
 #include "core/luts/luts.h"
 #include "core/methods/orders_cloud_tables.h"
@@ -297,43 +295,6 @@ std::vector<StandingCloud> standing_clouds(const Part& part) {
     all.erase(found);
   }
   return all;
-}
-
-void refuse_around_clouds(const Part& part, bool no_picture) {
-  const Scene& scene = part.scene;
-  if (scene.clouds.empty()) {
-    return;
-  }
-  const auto refuse = [](bool holds, const std::string& what) {
-    if (holds) {
-      throw InputError("clouds: the method \"orders\" " + what +
-                       ", or choose path-trace with render.method or --method");
-    }
-  };
-  const std::vector<StandingCloud> clouds = standing_clouds(part);
-  const auto reach = [](const CloudGrid& grid) {
-    return "from " + rounded(grid.base, 6) + " to " + rounded(grid.top, 6) + " km";
-  };
-  for (std::size_t i = 1; i < clouds.size(); ++i) {
-    const CloudGrid& below = *clouds[i - 1].grid;
-    const CloudGrid& above = *clouds[i].grid;
-    refuse(above.base < below.top, "renders fields of cloud one above the other, and the one " + reach(above) +
-                                       " begins below the top of the one " + reach(below) +
-                                       "; change their base_km and top_km");
-  }
-  refuse(!inside_the_air(scene),
-         "renders clouds for a camera in the air, below planet.atmosphere_height_km; lower "
-         "camera.altitude_km");
-  refuse(std::ranges::count(scene.spheres, SphereMaterial::mirror, &Sphere::material) > 0,
-         "renders no clouds in mirrors; remove the spheres of the material mirror or the clouds");
-  refuse(scene.camera.polariser.has_value() && (part.things.stand_in_the_air() || scene.ground),
-         "renders no clouds through a polarising filter where terrain, spheres or ground maps stand; remove one of "
-         "the three");
-  if (no_picture && (part.things.stand_in_the_air() || scene.ground)) {
-    throw InputError(
-        "clouds: the method \"orders\" renders layers and composites with clouds where no terrain, spheres or ground "
-        "maps stand, and pictures and irradiance among them; remove these or the clouds");
-  }
 }
 
 void add_clouds(Plan& plan, const Part& part, const View& view, const SkyTarget& target, const Light& light,

@@ -180,9 +180,15 @@ ThingsUnderCloud add_things_under_clouds(Plan& plan, const Part& part, const Vie
 // The planes of its layers.
 BufferId add_things_layers(Plan& plan, const Part& part, const View& view, const Light& light);
 
-// Throws InputError where clouds stand so, or among such things, as add_clouds() does not know. `no_picture`: what is
-// asked for is no picture, but layers or the air before things.
-void refuse_around_clouds(const Part& part, bool no_picture);
+// Where clouds stand so, or among such things, as add_clouds() does not know.
+std::vector<Misfit> cloud_misfits(const Scene& scene);
+
+// SkyMethod::no_layers.
+std::string no_layers_of(const Scene& scene);
+
+// Throws InputError for the first of these. `no_picture`: what is asked for is no picture, but layers or the air before
+// things.
+void refuse_around_clouds(const Scene& scene, bool no_picture);
 
 // Puts the clouds into the picture of their clear sky, or of things under them (null: there are none). Adds the buffer
 // `cloud_transmittance`: what all clouds leave of a beam along each pixel's ray.

@@ -90,7 +90,7 @@ void add_volume_constants(std::vector<Specialization>& constants, const Scene& s
 }
 
 SpanPasses add_spans(Plan& plan, const Part& part, const Spans& spans, const SpanWay& way) {
-  refuse_around_clouds(part, true);
+  refuse_around_clouds(part.scene, true);
   const Light light = add_light(plan, part);
   assert(!way.volume || part.scene.clouds.empty());
   const SpanInput input = add_span_input(plan, part.scene, spans);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/air/scene_block.h"
+#include "core/base/error.h"
 #include "core/luts/luts.h"
 #include "core/methods/orders_parts.h"
 #include "core/plan/bytes.h"

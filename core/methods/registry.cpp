@@ -26,6 +26,11 @@ const SkyMethod& method_of(const Scene& scene) {
   return *method;
 }
 
+std::string no_layers(const Scene& scene) {
+  const auto why = method_of(scene).no_layers;
+  return why == nullptr ? std::string() : why(scene);
+}
+
 bool samples(const Scene& scene) {
   return method_of(scene).render_on_host != nullptr;
 }

@@ -218,6 +218,7 @@ std::vector<Cloud> read_clouds(const Section& root, const Planet& planet, std::v
       add_layer(section, planet, media);
     } else {
       clouds.push_back(read_cloud(section, planet));
+      clouds.back().index = i;
     }
   }
   check_counts(root, *value, array->size(), before, media);

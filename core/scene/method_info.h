@@ -7,8 +7,11 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 namespace airlight {
+
+struct Scene;
 
 // clamp(scale mu_sun + bias, 0, 1) on direct sunlight: the published lesson's fade around the local horizon.
 struct SunFade {
@@ -34,6 +37,12 @@ struct ParameterInfo {
   std::string_view meaning;
 };
 
+// What keeps a method from rendering a scene.
+struct Misfit {
+  std::string pointer;  // to the key that may change
+  std::string message;  // why, and what to do
+};
+
 struct MethodInfo {
   std::string_view name;     // typed after --method
   std::string_view summary;  // one line for --help and the chart's legend
@@ -45,6 +54,8 @@ struct MethodInfo {
   bool knows_polarisers = false;           // camera.polariser
   bool knows_clouds = false;
   bool bends_light = false;  // planet.refraction
+  // Of scenes whose things it knows; null: it renders them all.
+  std::vector<Misfit> (*misfits)(const Scene&) = nullptr;
 };
 
 }  // namespace airlight

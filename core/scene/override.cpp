@@ -86,6 +86,16 @@ void release_render_keys(Preset& preset) {
 
 }  // namespace
 
+const PresetValue* find_value(const PresetValue& root, std::string_view pointer) {
+  const PresetValue* at = &root;
+  for (const std::string& key : pointer.empty() ? std::vector<std::string>() : split_pointer(pointer, "preset")) {
+    const auto* array = at == nullptr ? nullptr : std::get_if<PresetArray>(&at->data);
+    const std::size_t index = array == nullptr ? 0 : number_from<std::size_t>(key).value_or(array->size());
+    at = array == nullptr ? member(at, key) : index < array->size() ? &(*array)[index] : nullptr;
+  }
+  return at;
+}
+
 void put_value(Preset& preset, std::string_view pointer, PresetValue value, const std::string& source) {
   descend(preset.root, split_pointer(pointer, source), source) = std::move(value);
 }

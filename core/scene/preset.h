@@ -69,6 +69,9 @@ void apply_override(Preset& preset, std::string_view assignment, const std::stri
 // does; messages name `source`.
 void put_value(Preset& preset, std::string_view pointer, PresetValue value, const std::string& source);
 
+// The value at the place of an RFC 6901 pointer; null where there is none. Throws InputError for a malformed pointer.
+const PresetValue* find_value(const PresetValue& root, std::string_view pointer);
+
 // The metering of an exposure that is no number, in a preset's spelling: "auto", "day", "lock:12".
 std::string metering_text(const Display& display);
 

@@ -218,6 +218,7 @@ struct CloudVoxels {
 
 // Water or ice that is uneven in all directions. Its extinction is the same at all wavelengths.
 struct Cloud {
+  std::size_t index = 0;  // in the preset's list, which has layers too; for messages
   CloudKind kind = CloudKind::cumulus;
   std::string file;                        // of a volume: its name, absolute
   std::optional<CloudVoxels> voxels = {};  // of a volume whose file is one of OpenVDB

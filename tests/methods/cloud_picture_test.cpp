@@ -369,7 +369,7 @@ TEST(CloudPicture, RefusesWhatItDoesNotKnow) {
   scene.image = {4, 4};
   Scene far = scene;
   far.camera.altitude = 30.0;
-  expect_cloud_refused(far, "lower camera.altitude_km");
+  expect_cloud_refused(far, "lower the camera");
   Scene ball = scene;
   ball.spheres.push_back({.distance = 1.0, .radius = 0.1, .material = SphereMaterial::mirror});
   expect_cloud_refused(ball, "in mirrors");

@@ -25,7 +25,7 @@ Json every_object() {
     "media": [{"name": "air", "density": {"profile": "exponential", "scale_height_km": 8}, "phase": {}}],
     "clouds": [{"type": "cumulus"}], "sun": {"disc": {}}, "moon": {}, "night_sky": {}, "stars": {},
     "camera": {"polariser": {}}, "scene": {"spheres": [{"distance_m": 3, "radius_m": 1}]},
-    "image": {"width": 60, "height": 360}, "render": {}, "bloom": {}, "display": {}})");
+    "image": {"width": 60, "height": 360}, "render": {"method": "path-trace"}, "bloom": {}, "display": {}})");
 }
 
 // "media[].phase.g" -> "/media/0/phase/g".
@@ -54,6 +54,9 @@ void choose_for(const Rule& rule, Json& preset) {
   }
   const std::string_view choice = rule.only_for.front();
   preset["camera"].erase("polariser");  // which some projections refuse
+  if (choice == "translucent") {
+    preset["render"]["method"] = "orders";
+  }
   for (const Rule& other : beside(rule)) {
     const Json::json_pointer pointer = pointer_to(other.key);
     if (other.type == RuleType::choice && std::ranges::find(other.choices, choice) != other.choices.end()) {
