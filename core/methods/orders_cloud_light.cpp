@@ -17,6 +17,7 @@
 #include "core/methods/orders_cloud_tables.h"
 #include "core/methods/orders_parts.h"
 #include "core/plan/bytes.h"
+#include "core/scene/cloud_file.h"
 
 namespace airlight::orders {
 namespace {
@@ -138,7 +139,10 @@ ImageId add_shadow(Plan& plan, const CloudGrid& grid, const CloudInputs& inputs,
       grid.cell_z() * std::max(std::abs(head.sunward_east) / grid.cell_x, std::abs(head.sunward_north) / grid.cell_y);
   const EdgeInputs edge = add_edge(plan, grid, inputs.density);
   const bool carved = edge.carved.value == 1;
-  const auto finer = carved ? static_cast<std::uint32_t>(std::clamp(std::ceil(across / kMostCells), 1.0, 3.0)) : 1U;
+  auto finer = carved ? static_cast<std::uint32_t>(std::clamp(std::ceil(across / kMostCells), 1.0, 3.0)) : 1U;
+  while (finer > 1 && corners_of(grid, finer) > kMostCloudCells) {
+    --finer;
+  }
   const auto parts = static_cast<std::uint32_t>(
       std::clamp(std::ceil((carved ? 2.0 * std::max(across, 1.0) : across) / finer), 1.0, 8.0));
   const std::string key = cloud + " shadow " + shortest(static_cast<double>(head.sunward_east)) + " " +
@@ -147,8 +151,8 @@ ImageId add_shadow(Plan& plan, const CloudGrid& grid, const CloudInputs& inputs,
     return *made;
   }
   const Extent size{head.fine_x + 1, head.fine_y + 1, finer * head.fine_z + 1};
-  const BufferId depths = plan.add_buffer(
-      {.name = "cloud_sun_depth", .bytes = sizeof(float) * size.width * size.height * size.depth, .zeroed = false});
+  const BufferId depths =
+      plan.add_buffer({.name = "cloud_sun_depth", .bytes = sizeof(float) * corners_of(grid, finer), .zeroed = false});
   plan.add_pass({.shader = "cloud_shadow",
                  .reads = {{"cloud_data", inputs.head},
                            {"cloud_density_lut", inputs.density},
@@ -347,7 +351,7 @@ FieldStart start_of(const Part& part, const StandingCloud& cloud) {
   const TableSize cells = part.scene.render.get<TableSize>("cloud_lut");
   FieldStart start{
       .matter = matter_of(*cloud.cloud, part), .to_sun = cloud_sun(part.scene, *cloud.grid), .coarse = {}, .lit = {}};
-  start.lit.grid = with_room(cloud.grid, start.to_sun);
+  start.lit.grid = with_room(*cloud.cloud, cloud.grid, start.to_sun);
   start.lit.key = "cloud " + cloud_shape_key(*cloud.cloud);  // light stays with a cloud that moves
   start.coarse = coarse_cells(*start.lit.grid, cells, start.lit.key);
   start.lit.head = head_of(*start.lit.grid, start.coarse, start.matter.drops, start.to_sun);

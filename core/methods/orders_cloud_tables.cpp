@@ -6,8 +6,10 @@
 #include <functional>
 #include <vector>
 
+#include "core/base/error.h"
 #include "core/gpu/kept_values.h"
 #include "core/plan/bytes.h"
+#include "core/scene/cloud_file.h"
 
 namespace airlight::orders {
 namespace {
@@ -56,10 +58,16 @@ ImageId add_noise(Plan& plan, const std::shared_ptr<const CarvingNoise>& noise) 
 
 }  // namespace
 
-std::shared_ptr<const CloudGrid> with_room(const std::shared_ptr<const CloudGrid>& cloud, physics::vec3 to_sun) {
-  const CloudGrid& grid = *cloud;
+std::size_t corners_of(const CloudGrid& grid, std::size_t finer) {
+  const auto count = [](int cells) { return static_cast<std::size_t>(cells); };
+  return (count(grid.nx) + 1) * (count(grid.ny) + 1) * (finer * count(grid.nz) + 1);
+}
+
+std::shared_ptr<const CloudGrid> with_room(const Cloud& cloud, const std::shared_ptr<const CloudGrid>& alone,
+                                           physics::vec3 to_sun) {
+  const CloudGrid& grid = *alone;
   if (grid.repeats) {
-    return cloud;
+    return alone;
   }
   const double reach = (grid.top - grid.base) * std::sqrt(1.0 - to_sun.z * to_sun.z) / to_sun.z;
   const double wide = std::min(reach, grid.nx * grid.cell_x);
@@ -71,6 +79,13 @@ std::shared_ptr<const CloudGrid> with_room(const std::shared_ptr<const CloudGrid
   out->ny = grid.ny + 2 * y;
   out->west = grid.west - x * grid.cell_x;
   out->south = grid.south - y * grid.cell_y;
+  if (corners_of(*out, 1) > kMostCloudCells) {
+    throw InputError("/clouds/" + std::to_string(cloud.index) +
+                     "/file: with room for its shadow the cloud is a grid of " + std::to_string(out->nx + 1) + " x " +
+                     std::to_string(out->ny + 1) + " x " + std::to_string(out->nz + 1) +
+                     " points; the method \"orders\" takes at most " + std::to_string(kMostCloudCells) +
+                     ": raise the sun, make the cells larger, or choose path-trace with render.method or --method");
+  }
   out->extinction.assign(out->index(0, 0, out->nz), 0.0F);
   for (int k = 0; k < grid.nz; ++k) {
     for (int j = 0; j < grid.ny; ++j) {

@@ -12,7 +12,13 @@ namespace airlight::orders {
 
 // The grid; a cloud that stands alone gets empty air all around, so that its shadow does not fall on its own
 // repetition. `to_sun`: x east, y north, z up, in which the sun is seen from it; z > 0.
-std::shared_ptr<const CloudGrid> with_room(const std::shared_ptr<const CloudGrid>& grid, physics::vec3 to_sun);
+// Throws InputError where there are then too many cells. `cloud`: the grid's, for the message.
+std::shared_ptr<const CloudGrid> with_room(const Cloud& cloud, const std::shared_ptr<const CloudGrid>& grid,
+                                           physics::vec3 to_sun);
+
+// How many corners the cells have, each being cut into `finer` levels. A table of floats over kMostCloudCells fits into
+// a buffer of every device.
+std::size_t corners_of(const CloudGrid& grid, std::size_t finer);
 
 CloudCells cells_of(const CloudGrid& grid);
 CloudCells shape_of(const CloudGrid& grid);  // without values

@@ -80,12 +80,12 @@ void check_field(const Section& section, const Cloud& cloud) {
                 format_number(cloud.period) + " km is less than two cells of " + format_number(cloud.cell) +
                     " km; make the period longer or cell_km smaller");
   }
-  const double across = std::ceil(cloud.period / cloud.detail);
-  const double up = std::ceil((cloud.top - cloud.base) / cloud.detail);
+  const double across = std::ceil(cloud.period / cloud.detail) + 1.0;  // the corners of cells, which tables have
+  const double up = std::ceil((cloud.top - cloud.base) / cloud.detail) + 1.0;
   if (across * across * up > static_cast<double>(kMostCloudCells)) {
     blame_cloud(section, "detail_m",
                 format_number(cloud.detail * kMetresInKm) + " m makes a grid of " + format_number(across) + " x " +
-                    format_number(across) + " x " + format_number(up) + " cells; expected at most " +
+                    format_number(across) + " x " + format_number(up) + " points; expected at most " +
                     std::to_string(kMostCloudCells) + ": make the cells larger or the period shorter");
   }
 }

@@ -10,6 +10,8 @@
 
 #include "core/air/scene_block.h"
 #include "core/base/error.h"
+#include "core/methods/ready.h"
+#include "core/render/render.h"
 #include "tests/methods/cloud_scene.h"
 #include "tests/methods/render_fixture.h"
 #include "tests/methods/slab.h"
@@ -373,6 +375,29 @@ TEST(CloudPicture, RefusesWhatItDoesNotKnow) {
   Scene ball = scene;
   ball.spheres.push_back({.distance = 1.0, .radius = 0.1, .material = SphereMaterial::mirror});
   expect_cloud_refused(ball, "in mirrors");
+  Scene low = scene;
+  low.sun.elevation = radians(5.0);
+  auto large = std::make_shared<CloudFile>(*scene.clouds.front().contents);
+  large->nx = large->ny = 400;
+  large->nz = 64;
+  large->dx = large->dy = large->dz = 0.01;
+  large->extinction.assign(400 * 400 * 64, 1.0F);
+  large->identity = "large";
+  low.clouds.front().contents = large;
+  low.clouds.front().repeats = false;
+  low.clouds.front().top = low.clouds.front().base + 0.64;
+  expect_cloud_refused(low, "/clouds/0/file: with room for its shadow");
+}
+
+// Vulkan promises this much and no more.
+TEST(CloudPicture, OfThickFieldsHasTablesThatFitEveryDevice) {
+  constexpr std::size_t kMostBytes = std::size_t{1} << 27U;
+  Scene scene = among_cumulus(8.0, 0.3);
+  scene.clouds.front().top = 10.0;
+  const Plan plan = plan_for(ready(scene), {});
+  for (const BufferDesc& buffer : plan.buffers()) {
+    EXPECT_LE(buffer.bytes, kMostBytes) << buffer.name;
+  }
 }
 
 }  // namespace

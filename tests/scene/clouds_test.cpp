@@ -211,7 +211,7 @@ TEST_F(Clouds, NonsenseIsRefused) {
             "smaller");
   EXPECT_EQ(
       problems(R"("clouds": [{"type": "cumulus", "period_km": 200, "detail_m": 5}])"),
-      "test:1: /clouds/0/detail_m: 5 m makes a grid of 40000 x 40000 x 280 cells; expected at most 33554432: make "
+      "test:1: /clouds/0/detail_m: 5 m makes a grid of 40001 x 40001 x 281 points; expected at most 33554432: make "
       "the cells larger or the period shorter");
   EXPECT_EQ(problems(R"("clouds": [{"type": "cumulus", "file": "x"}])"),
             "test:1: /clouds/0/file: not a key of \"cumulus\"; it belongs to volume: remove it");
