@@ -126,14 +126,13 @@ FrameSource source_of(const SequenceGiven& given, const Scene& scene) {
       "--lon), a sweep (--sun-elevation -12:90:1), or a preset with key frames (\"sequence\")");
 }
 
-// Refuses overrides of keys that the frames set.
-void refuse_idle_overrides(const SequenceGiven& given, const FrameSource& source) {
-  const sequence::Frame frame = sequence::frame_at(source, 0);
-  for (const std::string& assignment : given.scene.set) {
-    const std::string pointer = assignment.substr(0, assignment.find('='));
-    const bool is_moved = std::ranges::any_of(frame.keys, [&](const auto& key) { return key.first == pointer; });
-    if (is_moved) {
-      throw InputError("sequence: --set " + assignment + ": each frame has its own " + pointer + "; leave it out");
+// Refuses options for keys that the frames set. Of a sun path and a sweep, which are options too, --set alone.
+void refuse_idle_options(const Preset& preset, const FrameSource& source) {
+  const std::string_view options = std::holds_alternative<KeyFrames>(source) ? "--" : "--set ";
+  for (const auto& [pointer, values] : sequence::frame_at(source, 0).keys) {
+    const PresetValue* value = find_value(preset.root, pointer);
+    if (value != nullptr && value->line == 0 && value->source.starts_with(options)) {
+      throw InputError("sequence: " + value->source + ": each frame has its own " + pointer + "; leave it out");
     }
   }
 }
@@ -199,7 +198,7 @@ SequenceJob job_of(const SequenceGiven& given) {
   job.stage = ready(job.scene);
   tile_for(job.tile, *job.stage, layer_set(given.picture), "sequence");  // throws if it is no tile
   job.source = source_of(given, job.scene);
-  refuse_idle_overrides(given, job.source);
+  refuse_idle_options(job.preset, job.source);
   add_winds(job);
   std::get<PresetObject>(job.preset.root.data).erase("sequence");
   job.scene.sequence.reset();

@@ -120,6 +120,12 @@ void check_pictures(const SequencePictures& pictures, const SequenceJob& job) {
   }
   if (pictures.preview) {
     require_film(*pictures.preview, "sequence: --preview");
+    for (const auto& [pointer, values] : sequence::frame_at(job.source, 0).keys) {
+      if (pointer.starts_with("/image/")) {
+        throw InputError("sequence: --preview: frames have their own " + pointer +
+                         ", and a film needs frames of one size; leave one of the two out");
+      }
+    }
   }
 }
 

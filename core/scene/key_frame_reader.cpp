@@ -114,21 +114,19 @@ std::optional<KeyFrames> read_key_frames(const Section& root, std::span<const Me
   return sequence;
 }
 
-void for_each_key_frame(const Preset& preset, const std::function<void(const Preset& frame)>& use) {
+void for_each_key_frame(const Preset& preset, const KeyFrames& sequence,
+                        const std::function<void(const Preset&, const FrameValues&)>& use) {
   Preset base = preset;
-  auto& root = std::get<PresetObject>(base.root.data);
-  const PresetValue sequence = std::move(root.at("sequence"));
-  root.erase("sequence");
-  const PresetValue& list = std::get<PresetObject>(sequence.data).at("frames");
-  std::size_t index = 0;
-  for (const PresetValue& frame : std::get<PresetArray>(list.data)) {
-    const std::string place = frame.source + (frame.line > 0 ? ":" + std::to_string(frame.line) : "") +
-                              ": /sequence/frames/" + std::to_string(index++);
+  std::get<PresetObject>(base.root.data).erase("sequence");
+  for (std::size_t i = 0; i < sequence.frames.size(); ++i) {
+    const std::string pointer = "/sequence/frames/" + std::to_string(i);
+    const PresetValue& frame = *find_value(preset.root, pointer);
+    const std::string place = frame.source + (frame.line > 0 ? ":" + std::to_string(frame.line) : "") + ": " + pointer;
     Preset then = base;
-    for (const auto& [key, value] : std::get<PresetObject>(frame.data)) {
-      if (key != kAt) put_value(then, key, value, place);
+    for (const auto& [key, values] : sequence.frames[i].values) {
+      put_value(then, key, *member(&frame, key), place);
     }
-    use(then);
+    use(then, {pointer, sequence.frames[i].values});
   }
 }
 

@@ -9,7 +9,12 @@
 
 namespace airlight {
 
-void Problems::add(const PresetValue& at, std::string_view pointer, std::string_view message) {
+void Problems::add(const PresetValue& at, std::string_view own_pointer, std::string_view message) {
+  const std::optional<std::string> told = told_ ? told_(own_pointer) : std::string(own_pointer);
+  if (!told) {
+    return;
+  }
+  const std::string& pointer = *told;
   std::string text = printable(at.source);
   if (at.line > 0) {
     text += ":" + std::to_string(at.line);

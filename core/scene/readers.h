@@ -56,10 +56,16 @@ inline constexpr std::size_t kMostKeyFrames = 20000;
 // Reads `sequence`; none where the preset has none. Here the keys' values are only checked to be numbers.
 std::optional<KeyFrames> read_key_frames(const Section& root, std::span<const MethodInfo> methods);
 
-// Calls `use` with the preset at each of its key frames, without `sequence`: the frame's values are put in, each with
-// its own line. read_key_frames() must have accepted the preset's `sequence`. Throws InputError for a pointer that
-// leads nowhere.
-void for_each_key_frame(const Preset& preset, const std::function<void(const Preset& frame)>& use);
+// A key frame and its place in the preset.
+struct FrameValues {
+  std::string pointer;
+  const std::map<std::string, std::vector<double>, std::less<>>& values;
+};
+
+// Calls `use` with the preset at each of its key frames, without `sequence`: the values that read_key_frames() took are
+// put in, each with its own line. Throws InputError for a pointer that leads nowhere.
+void for_each_key_frame(const Preset& preset, const KeyFrames& sequence,
+                        const std::function<void(const Preset& frame, const FrameValues& of)>& use);
 
 // Reports things that the scene's method does not support.
 void refuse_misfits(const Section& root, const Scene& scene, std::span<const MethodInfo> methods);

@@ -1,7 +1,9 @@
 #include "core/scene/resolve.h"
 
+#include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/scene/angle.h"
+#include "core/scene/json_text.h"
 #include "core/scene/readers.h"
 #include "core/scene/render_settings.h"
 
@@ -170,12 +172,33 @@ Scene read_scene(const Section& root, std::span<const MethodInfo> methods) {
   return scene;
 }
 
-// Checks each key frame's values in the preset; an error found then is an error in them.
-void check_key_frames(const Preset& preset, std::span<const MethodInfo> methods, Problems& problems) {
-  for_each_key_frame(preset, [&](const Preset& frame) {
+// Where the frame has what stands at the preset's pointer: a key of its own, or a part of its value; `made`: or what it
+// made on the way to its key.
+std::optional<std::string> pointer_in_frame(const FrameValues& frame, const std::string& pointer, bool made) {
+  for (const auto& [key, values] : frame.values) {
+    const bool is_part = (pointer + "/").starts_with(key + "/");
+    if (is_part || (made && (key + "/").starts_with(pointer + "/"))) {
+      return pointer_below(frame.pointer, key) + (is_part ? pointer.substr(key.size()) : "");
+    }
+  }
+  return std::nullopt;
+}
+
+// Checks each key frame's values in the preset. Where all is well without them, an error found then is an error in
+// them.
+void check_key_frames(const Preset& preset, const KeyFrames& sequence, std::span<const MethodInfo> methods,
+                      Problems& problems) {
+  const bool sound = !problems.any();
+  for_each_key_frame(preset, sequence, [&](const Preset& frame, const FrameValues& values) {
+    problems.tell_pointers([&](std::string_view given) {
+      const std::string pointer(given);
+      const std::optional<std::string> own = pointer_in_frame(values, pointer, sound);
+      return own || !sound ? own : pointer;
+    });
     CurveReader curves;
     read_scene(Section(problems, curves, &frame.root, frame.root, "", ""), methods);
   });
+  problems.tell_pointers({});
 }
 
 }  // namespace
@@ -186,8 +209,13 @@ Scene resolve(const Preset& preset, std::span<const MethodInfo> methods) {
   const Section root(problems, curves, &preset.root, preset.root, "", "");
   Scene scene = read_scene(root, methods);
   scene.sequence = read_key_frames(root, methods);
-  if (scene.sequence && !problems.any()) {
-    check_key_frames(preset, methods, problems);
+  try {
+    if (scene.sequence) {
+      check_key_frames(preset, *scene.sequence, methods, problems);
+    }
+  } catch (const InputError&) {  // a frame's pointer leads nowhere, perhaps by another fault
+    problems.throw_if_any();
+    throw;
   }
   problems.throw_if_any();
   return scene;

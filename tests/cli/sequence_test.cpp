@@ -139,6 +139,22 @@ TEST_F(Sequence, BadInputIsOneLineExitCodeTwoAndNoFile) {
   EXPECT_EQ(scratch_.files(), Names{"sky.json"});
 }
 
+TEST_F(Sequence, RefusesOptionsForWhatKeyFramesSet) {
+  std::string text = small_preset();
+  text.insert(1, R"("sequence": {"frames": [{"at": 0, "/image/width": 8}, {"at": 1, "/image/width": 9}]}, )");
+  scratch_.write("keys.json", text);
+  for (const auto& [more, says] : std::vector<std::pair<Names, std::string>>{
+           {{"--size", "8x8"}, "--size 8x8: each frame has its own /image/width; leave it out"},
+           {{"--preview", "film.gif"}, "--preview: frames have their own /image/width, and a film"}}) {
+    Names words = {"sequence", "keys.json", "-o", "s.#.exr"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome outcome = tool(words);
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, says)) << outcome.err;
+  }
+  EXPECT_EQ(scratch_.files(), (Names{"keys.json", "sky.json"}));
+}
+
 TEST_F(Sequence, PolarDaysNightsAndTheNineteenthCentury) {
   const auto elevations = [&](const char* date, const char* latitude) {
     std::vector<double> found;

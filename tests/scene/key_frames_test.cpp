@@ -52,14 +52,32 @@ TEST(KeyFrames, ComeBackFromThePresetWritten) {
 
 TEST(KeyFrames, AreJudgedAsTheKeysThatTheySet) {
   expect_problem(R"({"frames": [{"at": 0, "/sun/elevation_deg": 91}]})",
-                 {"/sun/elevation_deg", "91 is outside -90 to 90"});
+                 {"test:1: /sequence/frames/0/~1sun~1elevation_deg: 91 is outside -90 to 90"});
   expect_problem(R"({"frames": [{"at": 0}, {"at": 1, "/sun/elevaton_deg": 1}]})",
-                 {"/sun/elevaton_deg", "unknown key", "elevation_deg"});
+                 {"/sequence/frames/1/~1sun~1elevaton_deg: unknown key", "elevation_deg"});
   expect_problem(R"({"frames": [{"at": 0, "/media/1/phase/g": 1}]})", {"/sequence/frames/0", "no element \"1\""});
-  expect_problem(R"({"frames": [{"at": 0, "/render/method": 1}]})", {"/render/method"});
-  expect_problem(R"({"frames": [{"at": 0, "/sun/disc/visible": 1}]})", {"/sun/disc/visible", "true or false"});
-  expect_problem(R"({"frames": [{"at": 0, "/image/width": 1.5}]})", {"/image/width", "whole"});
-  expect_problem(R"({"frames": [{"at": 0, "/render/steps": 0}]})", {"/render/steps"});
+  expect_problem(R"({"frames": [{"at": 0, "/render/method": 1}]})", {"/sequence/frames/0/~1render~1method"});
+  expect_problem(R"({"frames": [{"at": 0, "/sun/disc/visible": 1}]})", {"/~1sun~1disc~1visible: ", "true or false"});
+  expect_problem(R"({"frames": [{"at": 0, "/image/width": 1.5}]})", {"/~1image~1width: ", "whole"});
+  expect_problem(R"({"frames": [{"at": 0, "/render/steps": 0}]})", {"/~1render~1steps: "});
+  expect_problem(R"({"frames": [{"at": 0, "/camra/pitch_deg": 1}]})",
+                 {"/sequence/frames/0/~1camra~1pitch_deg: unknown"});
+  expect_problem(R"({"frames": [{"at": 0, "/sun/irradiance": [1, -2, 3]}]})",
+                 {"/sequence/frames/0/~1sun~1irradiance/1: -2 is"});
+}
+
+// Beside those of the preset and of other frames, each once.
+TEST(KeyFrames, AreToldWithAllOtherProblems) {
+  EXPECT_EQ(problems_of(with_one_medium(R"("camera": {"pitch_deg": 95}, "sequence": {"frames": [
+{"at": 0, "sun": 1, "/camera/yaw_deg": 3},
+{"at": 0, "/sun/elevation_deg": 91}]})")),
+            "test:1: /camera/pitch_deg: 95 is outside -90 to 90 degrees\n"
+            "test:2: /sequence/frames/0/sun: unknown key; expected `at`, or a JSON pointer such as /sun/elevation_deg\n"
+            "test:2: /sequence/frames/0/~1camera~1yaw_deg: unknown key; expected one of altitude_km, azimuth_deg, "
+            "cube_layout, julian_date, latitude_deg, longitude_deg, pitch_deg, polariser, projection, roll_deg, "
+            "vertical_fov_deg\n"
+            "test:3: /sequence/frames/1/at: 0 is not above the frame before it (0); expected ascending numbers\n"
+            "test:3: /sequence/frames/1/~1sun~1elevation_deg: 91 is outside -90 to 90 degrees");
 }
 
 TEST(KeyFrames, ThatAreNoneAreRefused) {
@@ -86,7 +104,7 @@ TEST(KeyFrames, NameTheLineOfTheValue) {
       "{\"airlight\": 1, \"media\": [{\"name\": \"a\", \"density\": {\"profile\": "
       "\"exponential\", \"scale_height_km\": 8}}],\n\"sequence\": {\"frames\": [\n"
       "{\"at\": 0,\n\"/sun/elevation_deg\": 99}]}}");
-  EXPECT_NE(problems.find(":4: /sun/elevation_deg"), std::string::npos) << problems;
+  EXPECT_NE(problems.find(":4: /sequence/frames/0/~1sun~1elevation_deg: "), std::string::npos) << problems;
 }
 
 // Each is checked as a scene of its own, so there is a bound.
