@@ -58,9 +58,14 @@ double read_depth(const Section& section) {
 
 Medium read_cloud_layer(const Section& section, const Planet& planet, const Cloud& matter) {
   Medium medium;
+  const std::size_t before = section.problems().count();
   const double base = section.number("base_km");
   const double top = section.number("top_km");
+  const bool sound = section.problems().count() == before;
   const double depth = read_depth(section);
+  if (!sound) {
+    return medium;  // defaults stand for what is wrong
+  }
   if (!(top > base)) {
     blame_layer(section, "top_km",
                 format_number(top) + " km is not above base_km, " + format_number(base) +

@@ -129,16 +129,18 @@ Cloud read_cloud(Section section, const Planet& planet) {
     return cloud;
   }
   section.choose(kCloudNames[*kind]);
+  const std::size_t before = section.problems().count();
   section.fill(cloud);
   const bool is_file = cloud.kind == CloudKind::volume;
   if (is_file) {
     read_volume(section, cloud);
-  } else {
+  } else if (section.problems().count() == before) {  // else defaults stand for what is wrong
     check_field(section, cloud);
   }
+  const bool sound = section.problems().count() == before;
   read_cloud_phase(section, cloud);
   check_drops(section, cloud);
-  if (!cloud.voxels && (cloud.base < 0.0 || cloud.top > planet.atmosphere_height)) {
+  if (sound && !cloud.voxels && (cloud.base < 0.0 || cloud.top > planet.atmosphere_height)) {
     blame_cloud(section, is_file ? "file" : "top_km",
                 "the cloud reaches from " + format_number(cloud.base) + " to " + format_number(cloud.top) +
                     " km; expected within the air, 0 to planet.atmosphere_height_km, " +

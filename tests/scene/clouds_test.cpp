@@ -203,6 +203,11 @@ TEST_F(Clouds, NonsenseIsRefused) {
             "test:1: /clouds/0/cover: 1.2 is outside 0 to 1");
   EXPECT_EQ(problems(R"("clouds": [{"type": "cumulus", "base_km": 3}])"),
             "test:1: /clouds/0/top_km: 2.4 km is not above base_km, 3 km; lower the base or raise the top");
+  // No word of the default that stands for a wrong value.
+  EXPECT_EQ(problems(R"("clouds": [{"type": "cumulus", "top_km": 101, "base_km": 99}])"),
+            "test:1: /clouds/0/top_km: 101 is outside 0 to 100 km");
+  EXPECT_EQ(problems(R"("clouds": [{"type": "layer", "top_km": 101, "base_km": 99, "optical_depth": 1}])"),
+            "test:1: /clouds/0/top_km: 101 is outside 0 to 100 km");
   EXPECT_EQ(problems(R"("planet": {"atmosphere_height_km": 2}, "clouds": [{"type": "cumulus"}])"),
             "test:1: /clouds/0/top_km: the cloud reaches from 1 to 2.4 km; expected within the air, 0 to "
             "planet.atmosphere_height_km, 2");
