@@ -145,7 +145,7 @@ int run_chart_command(const ChartGiven& given) {
   }
   chart::Settings settings = settings_of(given);
   const chart::RunOrder order = order_of(given, settings);
-  make_folder(given.folder);
+  const MadeFolder made(given.folder);
   make_folders(order.truth_folder);
   const chart::RunOutcome outcome = chart::run_chart(order);
   clear_progress();

@@ -174,7 +174,7 @@ int run_stability(const StabilityGiven& given) {
   std::unique_ptr<Executor> executor;
   const DeviceOnDemand device = device_on_demand(given.scene, executor);
   Examination e = wanted_examination(given, device().device());
-  make_folder(given.folder);
+  const MadeFolder made(given.folder);
   const fs::path folder = given.folder;
   examine_all(e, folder / "stability.csv", device, given.quiet);
   require_valid_vulkan();

@@ -219,9 +219,7 @@ int run_render(const RenderOrder& given) {
   const std::optional<Nodes> spectral = spectral_wavelengths(given, scene, targets);
   Stage stage = ready(scene);
   std::optional<ImageSize> tile = wish ? std::nullopt : tile_of(given, stage, targets);
-  if (!given.dry_run) {
-    check_targets(given, targets);
-  }
+  const std::unique_ptr<MadeFolder> folder = given.dry_run ? nullptr : check_targets(given, targets);
   watch.lap("preset and checks");
   std::unique_ptr<Executor> executor;
   std::optional<ChoiceReport> choice;

@@ -68,18 +68,25 @@ void require_folder(const fs::path& folder) {
   }
 }
 
-void make_folder(const fs::path& folder) {
+MadeFolder::MadeFolder(const fs::path& folder) : folder_(folder) {
   require_folder(folder);
   std::error_code error;
-  fs::create_directory(folder, error);
+  made_ = fs::create_directory(folder, error);
   if (error) {
     throw RunError(folder.string() + ": the folder cannot be made: " + error.message());
   }
 }
 
+MadeFolder::~MadeFolder() {
+  std::error_code not_empty;
+  if (made_) {
+    fs::remove(folder_, not_empty);
+  }
+}
+
 std::vector<std::string> write_tables(const fs::path& folder, const std::vector<TableDump>& tables,
                                       const Provenance& provenance) {
-  make_folder(folder);
+  const MadeFolder made(folder);
   std::vector<std::string> files;
   for (const TableDump& dump : tables) {
     const Table table{dump.width, dump.height, dump.rgba.data(), dump.text, dump.channels};

@@ -66,10 +66,8 @@ void require_format(const RenderOrder& given, const Scene& scene, const Targets&
   }
 }
 
-void check_targets(const RenderOrder& given, const Targets& targets) {
-  if (!given.exr && !given.png) {
-    make_folder(kDefaultFolder);
-  }
+std::unique_ptr<MadeFolder> check_targets(const RenderOrder& given, const Targets& targets) {
+  auto folder = given.exr || given.png ? nullptr : std::make_unique<MadeFolder>(kDefaultFolder);
   if (!targets.exr.empty()) {
     require_ending(targets.exr, "render: -o", ".exr");
     require_writable(targets.exr);
@@ -113,6 +111,7 @@ void check_targets(const RenderOrder& given, const Targets& targets) {
       throw InputError("render: --irradiance: '" + targets.exr + "' is where -o writes; give a name of its own");
     }
   }
+  return folder;
 }
 
 }  // namespace airlight::cli

@@ -1,8 +1,11 @@
 #pragma once
 // The files that a render writes.
 
+#include <memory>
+
 #include "app/render/publish.h"
 #include "app/render/run.h"
+#include "app/render/table_files.h"
 
 namespace airlight::cli {
 
@@ -12,7 +15,8 @@ void require_format(const RenderOrder& given, const Scene& scene, const Targets&
 // The files that the options name; by default an EXR and a PNG of the preset's name in the folder out.
 Targets choose_targets(const RenderOrder& given);
 
-// Checks them for everything that can be known to fail before rendering. Throws InputError.
-void check_targets(const RenderOrder& given, const Targets& targets);
+// Checks them for everything that can be known to fail before rendering. Throws InputError. Returns the folder out if
+// the files stand there by default.
+std::unique_ptr<MadeFolder> check_targets(const RenderOrder& given, const Targets& targets);
 
 }  // namespace airlight::cli

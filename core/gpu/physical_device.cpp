@@ -130,7 +130,7 @@ const PhysicalDevice& choose(const std::vector<PhysicalDevice>& devices, std::st
     if (unusable == nullptr) unusable = &device;
   }
   if (unusable != nullptr) throw RunError("the Vulkan device cannot be used: " + describe(unusable->info));
-  throw RunError("no Vulkan device is named \"" + std::string(name_substring) + "\"; there are: " + list(devices));
+  throw InputError("no Vulkan device is named \"" + std::string(name_substring) + "\"; there are: " + list(devices));
 }
 
 }  // namespace airlight

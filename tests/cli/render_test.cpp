@@ -141,7 +141,7 @@ TEST_F(Cli, NoVulkanDeviceNamesThePackage) {
 
 TEST_F(Cli, AnUnknownDeviceListsTheKnownOnes) {
   const Outcome outcome = tool({"render", "sky.json", "-o", "a.exr", "--device", "no-such-device"});
-  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_TRUE(contains(outcome.err, "no-such-device")) << outcome.err;
   const std::string known = lines_of(tool({"devices"}).out).at(0);
   EXPECT_TRUE(contains(outcome.err, known)) << outcome.err;

@@ -42,7 +42,7 @@ TEST(Device, IsChosenBySubstringThenByTheEnvironment) {
   if (!has_software_device()) GTEST_SKIP() << "no software device";
   const ScopedEnvironment environment("AIRLIGHT_DEVICE", "no such card");
   EXPECT_NE(Executor({.name_substring = "LLVMpipe"}).device().name.find("llvmpipe"), std::string::npos);
-  const std::string message = failure({});
+  const std::string message = message_of<InputError>([] { Executor executor({}); });
   EXPECT_EQ(message.find("no Vulkan device is named \"no such card\"; there are: "), 0U) << message;
   EXPECT_NE(message.find("llvmpipe"), std::string::npos) << message;
   const ScopedEnvironment named("AIRLIGHT_DEVICE", "llvmpipe");
@@ -185,7 +185,10 @@ TEST(Device, ListsEachMissingFeature) {
   };
   EXPECT_EQ(said({old, good}, "old"), std::string("the Vulkan device cannot be used: ") + lacks);
   EXPECT_EQ(said({old}, ""), std::string("no Vulkan device can be used: ") + lacks);
-  EXPECT_EQ(said({good, software}, "nvidia"), "no Vulkan device is named \"nvidia\"; there are: Good Card; Software");
+  EXPECT_EQ(message_of<InputError>([&] {
+              choose({good, software}, "nvidia");
+            }),
+            "no Vulkan device is named \"nvidia\"; there are: Good Card; Software");
   const std::vector<PhysicalDevice> all = {old, good, software};
   EXPECT_EQ(choose(all, "").info.name, "Software");
   EXPECT_EQ(choose(all, "good").info.name, "Good Card");

@@ -243,9 +243,9 @@ TEST_F(SessionTest, ReadsNoPicturesOfAPreset) {
   EXPECT_TRUE(has(message<airlight::InputError>([&] { scene.check(); }), "libairlight reads no files of OpenVDB"));
 }
 
-TEST_F(SessionTest, ADeviceThatIsNotThereIsARunError) {
+TEST_F(SessionTest, ADeviceThatIsNotThereIsAnInputError) {
   Session nowhere({.device = "no such device", .cache_folder = "", .threads = 0});
-  EXPECT_TRUE(has(message<airlight::RunError>([&] { nowhere.device(); }), "no such device"));
+  EXPECT_TRUE(has(message<airlight::InputError>([&] { nowhere.device(); }), "no such device"));
 }
 
 TEST_F(SessionTest, ProgressEndsARenderAndTheSessionGoesOn) {
