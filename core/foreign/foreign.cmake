@@ -2,9 +2,10 @@
 # Linking OpenImageIO would cost every start of the tool 0.2 CPU-s and 130 MB.
 add_library(airlight_foreign STATIC ${CMAKE_CURRENT_LIST_DIR}/exr_picture.cpp
             ${CMAKE_CURRENT_LIST_DIR}/foreign_picture.cpp ${CMAKE_CURRENT_LIST_DIR}/module.cpp
-            ${CMAKE_CURRENT_LIST_DIR}/jpeg_extent.cpp ${CMAKE_CURRENT_LIST_DIR}/tiff_extent.cpp
+            ${CMAKE_CURRENT_LIST_DIR}/jpeg_extent.cpp ${CMAKE_CURRENT_LIST_DIR}/png_extent.cpp
+            ${CMAKE_CURRENT_LIST_DIR}/tiff_extent.cpp
             ${CMAKE_CURRENT_LIST_DIR}/vdb_head.cpp ${CMAKE_CURRENT_LIST_DIR}/voxels.cpp)
-target_link_libraries(airlight_foreign PUBLIC airlight_flags PRIVATE airlight_output OpenEXR::OpenEXR ${CMAKE_DL_LIBS})
+target_link_libraries(airlight_foreign PUBLIC airlight_flags PRIVATE airlight_output OpenEXR::OpenEXR PNG::PNG ${CMAKE_DL_LIBS})
 
 add_library(airlight_foreign_module MODULE ${CMAKE_CURRENT_LIST_DIR}/module_foreign.cpp
             ${CMAKE_CURRENT_LIST_DIR}/module_voxels.cpp)

@@ -7,6 +7,7 @@
 #include "core/foreign/exr_picture.h"
 #include "core/foreign/jpeg_extent.h"
 #include "core/foreign/module.h"
+#include "core/foreign/png_extent.h"
 #include "core/foreign/tiff_extent.h"
 #include "core/output/first_bytes.h"
 #include "core/scene/named_file.h"
@@ -41,6 +42,7 @@ Picture read_picture(const std::string& file, const Accept& accept) {
   try {
     require_whole_tiff(file);
     require_whole_jpeg(file);
+    require_whole_png(file);
   } catch (const std::exception& reason) {
     throw InputError(file + ": damaged or cut short: " + reason.what() + "; write or copy it again");
   }

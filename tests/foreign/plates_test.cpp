@@ -80,6 +80,24 @@ TEST_F(Plates, AJpegThatIsCutShortIsRefused) {
   EXPECT_EQ(refusal(whole).find("it has no end"), std::string::npos) << refusal(whole);  // though it is none
 }
 
+// libpng would write a line of its own.
+TEST_F(Plates, APngThatIsCutShortOrDamagedIsRefusedInOneLine) {
+  const std::string start("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\1\0\0\0\1\b\0\0\0\0\x3a\x7e\x9b\x55", 33);
+  const std::string pixels("\0\0\0\nIDAT\x78\x9c\x63\x60\0\0\0\2\0\1\x48\xaf\xa4\x71", 22);
+  const std::string whole = start + pixels + std::string("\0\0\0\0IEND\xae\x42\x60\x82", 12);
+  EXPECT_EQ(read_picture(put("whole.png", whole)).channels.front().values, std::vector<float>(1, 0.0F));
+  testing::internal::CaptureStderr();
+  const std::string cut = put("cut.png", whole.substr(0, 50));
+  EXPECT_EQ(refusal(cut), cut + ": damaged or cut short: it has no end; write or copy it again");
+  std::string other = whole;
+  other[45] = '?';
+  const std::string damaged = put("damaged.png", other);
+  EXPECT_EQ(refusal(damaged), damaged +
+                                  ": damaged or cut short: the checksum of its chunk IDAT does not fit; write or "
+                                  "copy it again");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
 TEST_F(Plates, TheHeaderIsJudgedBeforeThePixels) {
   const auto refuse = [](const Picture& header) { throw InputError("no " + std::to_string(header.width)); };
   // Behind this header there are no pixels.
