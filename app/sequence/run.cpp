@@ -158,9 +158,17 @@ bool Runner::render_into(Work& work) {
   if (!tile) {
     bands.sink = [&work](Band& picture) { work.picture = std::move(picture); };
   }
-  work.rendering = render_bands(device, stage_, bands);
+  const auto is_cut = [&work] { return samples(work.scene) && Interruption::signal() != 0; };
+  try {
+    work.rendering = render_bands(device, stage_, bands);
+  } catch (const RunError&) {
+    if (is_cut()) {
+      return false;  // too early for a picture
+    }
+    throw;
+  }
   require_valid_vulkan();
-  if (samples(work.scene) && Interruption::signal() != 0) {
+  if (is_cut()) {
     return false;
   }
   report_.warn(work.report.number, kUndone, work.rendering.undone);

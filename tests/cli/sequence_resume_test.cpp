@@ -100,6 +100,20 @@ TEST_F(SequenceResume, StoppedBySignalsItLeavesWholeFramesAndSaysSo) {
   EXPECT_GT(stopped, 0);
 }
 
+// Before a frame of path-trace has its first samples too.
+TEST_F(SequenceResume, StoppedWhileItSamplesItSaysSo) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    Start start;
+    start.kill_signal = signal;
+    start.kill_at_file = signal == SIGINT ? "a.1.exr" : "b.1.exr";
+    const Outcome outcome = tool({"sequence", "sky.json", "--method", "path-trace", "--size", "320x180", "--samples",
+                                  "1", "--sun-elevation", "10:12:1", "-o", signal == SIGINT ? "a.#.exr" : "b.#.exr"},
+                                 start);
+    EXPECT_EQ(outcome.exit_code, 128 + signal) << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, "of 3 frames are whole; the same command goes on from there")) << outcome.err;
+  }
+}
+
 TEST_F(SequenceResume, ShardsAreTheWhole) {
   make_folder("whole");
   make_folder("shards");
