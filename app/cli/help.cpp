@@ -6,6 +6,7 @@
 #include "app/cli/cli11.h"
 #include "app/cli/terminal.h"
 #include "core/base/text.h"
+#include "core/scene/json_format.h"
 
 namespace airlight::cli {
 namespace {
@@ -153,8 +154,8 @@ std::string full_help(const Option& option) {
   }
   if (option.range && option.percent != Percent::share) {
     text += std::isinf(option.range->maximum)
-                ? "; at least " + shortest(option.range->minimum)
-                : "; " + shortest(option.range->minimum) + " to " + shortest(option.range->maximum);
+                ? "; at least " + format_number(option.range->minimum)
+                : "; " + format_number(option.range->minimum) + " to " + format_number(option.range->maximum);
   }
   return text + (is_repeatable(option.target) ? "; may be repeated" : "");
 }

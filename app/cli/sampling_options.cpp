@@ -21,7 +21,7 @@ std::vector<Option> sampling_options(SamplingOptions& options) {
   return grouped(
       "Method",
       {{"--samples", "N", "Samples per pixel, for a method that samples", &options.samples, Completes::nothing,
-        Range{1.0, 2147483647.0}},
+        Range{1.0, 1e9}},
        {"--time-limit", "TIME",
         "Choose the most accurate method and quality whose tables and picture take the device no longer than this, "
         "e.g. 50ms, 2s, 1min. With a method that samples: stop sampling after this time",

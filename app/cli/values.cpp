@@ -6,6 +6,7 @@
 
 #include "app/cli/cli11.h"
 #include "core/base/text.h"
+#include "core/scene/json_format.h"
 #include "core/scene/suggestion.h"
 
 namespace airlight::cli {
@@ -16,7 +17,7 @@ using Words = std::vector<std::string>;
 std::string expected_number(bool whole, const std::optional<Range>& range, Percent percent) {
   const bool share = percent == Percent::share;
   std::string text = share ? "a percentage" : whole ? "a whole number" : "a number";
-  const auto end = [&](double value) { return share ? rounded(100.0 * value, 6) + "%" : shortest(value); };
+  const auto end = [&](double value) { return share ? rounded(100.0 * value, 6) + "%" : format_number(value); };
   if (range) {
     text += std::isinf(range->maximum) ? " of at least " + end(range->minimum)
                                        : " from " + end(range->minimum) + " to " + end(range->maximum);

@@ -65,7 +65,8 @@ Command luts_command() {
       "The attributes of the EXR say what the numbers are (airlight:quantity, airlight:unit), what the axes stand for "
       "(airlight:axis:x, airlight:axis:y), and how to compute this for a texel (airlight:constants, airlight:decode). "
       "presets/README.md, section Tables, explains the language. The picture shows the largest value as white.";
-  command.examples = {{"airlight luts earth-noon -o tables", "Write tables/transmittance.exr, .png and the others"}};
+  command.examples = {
+      {"airlight luts earth-noon -o tables", "Write each table into the folder tables, as EXR and PNG"}};
   command.positionals = {preset_positional(given->scene)};
   command.options = {{"-o,--output", "DIR", "Folder for the tables; airlight makes it if it is missing", &given->folder,
                       Completes::folder}};

@@ -9,6 +9,7 @@
 #include "core/scene/angle.h"
 #include "core/scene/json_format.h"
 #include "core/scene/render_settings.h"
+#include "core/scene/thing_kinds.h"
 
 namespace airlight::cli {
 namespace {
@@ -53,7 +54,12 @@ std::string validity_text(const Validity& validity) {
   if (validity.optical_depth_max < 1e9) {
     add("vertical optical depth below " + format_number(validity.optical_depth_max));
   }
-  return text.empty() ? "any scene" : text;
+  return text.empty() ? "any sun, height and air" : text;
+}
+
+std::string refused_things(const MethodInfo& method) {
+  return joined_of(kThingKinds,
+                   [&](const ThingKind& kind) { return method.*kind.known ? std::string_view() : kind.name; });
 }
 
 void print_method(const SkyMethod& method) {
@@ -61,6 +67,9 @@ void print_method(const SkyMethod& method) {
   text +=
       "    runs on: " + std::string(method.render_on_host != nullptr ? "the processor" : "the Vulkan device") + "\n";
   text += "    holds for: " + validity_text(method.validity) + "\n";
+  if (const std::string refused = refused_things(method.info); !refused.empty()) {
+    text += "    refuses: " + refused + "\n";
+  }
   if (!method.validity.leaves_out.empty()) {
     text += "    leaves out: " + std::string(method.validity.leaves_out) + "\n";
   }
@@ -78,6 +87,7 @@ std::string methods_json() {
     json.begin_object().key("name").value(method.info.name).key("summary").value(method.info.summary);
     json.key("runs_on").value(method.render_on_host != nullptr ? "processor" : "device");
     json.key("holds_for").value(validity_text(method.validity)).key("leaves_out").value(method.validity.leaves_out);
+    json.key("refuses").value(refused_things(method.info));
     json.key("parameters").begin_array();
     for (const ParameterInfo& parameter : method.info.parameters) {
       json.begin_object().key("key").value(parameter.key).key("takes").value(limits_text(parameter));

@@ -93,7 +93,8 @@ Command render_command() {
       "Without -o and --png, airlight writes out/NAME.exr and out/NAME.png. NAME is the preset's name. airlight "
       "makes the folder out if it is missing.\n\n"
       "Every file appears whole or not at all. airlight does not write a picture with a NaN, an infinity or a "
-      "negative value: the command fails and says where the value is.\n\n"
+      "negative luminance: the command fails and says where it is. A colour of spectra outside linear Rec.709 has a "
+      "negative channel: airlight writes it, and a warning counts such pixels.\n\n"
       "An EXR of airlight's carries its whole preset: rendering the EXR renders the same picture again.\n\n"
       "--layers is for the method orders, the default. It adds NAME.R, .G and .B for each medium that scatters, and "
       "for multiple, sun and ground, and for cloud where clouds stand. Their sum is R, G and B. transmittance reaches "
@@ -147,7 +148,7 @@ Command render_command() {
        "A cube map for image-based light, and its harmonics in light.light.json"},
       {"airlight render sky.exr -o again.exr", "Render the picture of an EXR again"},
       {"airlight render earth-sunset --layers -o layers.exr --size 160x90",
-       "Rayleigh, mie, multiple, sun, ground, transmittance, depth and normals apart, for compositing"},
+       "Rayleigh, aerosol, multiple, sun, ground, transmittance, depth and normals apart, for compositing"},
       {"airlight render earth-sunset --layers stokes -o stokes.exr --size 160x90",
        "Also Q and U, which tell how the light is polarised"},
       {"airlight render earth --spectral 400:700:20 --size 32x18 -o spectral.exr",

@@ -141,6 +141,12 @@ TEST_F(Words, WhatDoesNotExistIsNamed) {
   }
 }
 
+TEST_F(Words, MethodsNameTheThingsThatTheyRefuse) {
+  const std::string methods = tool({"methods"}).out;
+  const std::string trace = methods.substr(methods.find("path-trace\n"));
+  EXPECT_TRUE(contains(trace, "    holds for: any sun, height and air\n    refuses: translucent spheres\n")) << methods;
+}
+
 // Standard output is one object and nothing else.
 TEST_F(Words, JsonFromEveryCommandThatAnswers) {
   const std::vector<std::pair<Names, std::string>> commands = {
