@@ -28,7 +28,8 @@ class VdbReader {
 
   std::vector<VdbGrid> read() {
     if (size_ < 8 || number(8) != kVdbMagic) {
-      throw std::runtime_error("is no OpenVDB file");
+      throw std::runtime_error(
+          "is no OpenVDB file; expected one, or for a grid as plain text a name that does not end in .vdb");
     }
     const std::uint64_t version = number(4);
     if (version < kOldestVersion) {

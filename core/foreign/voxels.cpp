@@ -171,7 +171,7 @@ void require_grid(const std::string& file, const std::string& grid) {
 
 Voxels read_voxels(const std::string& file, const std::string& grid, std::size_t most) {
   if (const std::string problem = named_file_problem(file); !problem.empty()) {
-    throw InputError(file + ": cannot be read: " + problem);
+    throw InputError(file + ": cannot be read: " + problem + "; expected a file of OpenVDB");
   }
   Voxels voxels;
   std::string problem;

@@ -16,8 +16,9 @@ using nlohmann::json;
 json parse(std::string_view text) {
   try {
     return json::parse(text);
-  } catch (const json::exception& problem) {
-    throw InputError(std::string("the preset that it carries is not JSON: ") + shortened(problem.what()));
+  } catch (const json::parse_error& problem) {
+    throw InputError("the preset that it carries is damaged: it is not JSON from byte " + std::to_string(problem.byte) +
+                     " on; render or copy the picture again");
   }
 }
 
@@ -53,8 +54,10 @@ Viewpoint viewpoint_from_preset(std::string_view resolved_preset) {
     viewpoint.sun_azimuth = preset.at("sun").at("azimuth_deg").get<double>() * kDegree;
     viewpoint.ground_radius = preset.at("planet").at("radius_km").get<double>();
     return viewpoint;
-  } catch (const json::exception& problem) {
-    throw InputError(std::string("the preset that it carries does not tell the camera: ") + shortened(problem.what()));
+  } catch (const json::exception&) {
+    throw InputError(
+        "the preset that it carries is damaged: it does not tell camera, sun and planet; render or copy the picture "
+        "again");
   }
 }
 

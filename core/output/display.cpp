@@ -69,9 +69,8 @@ void require_name(const char* what, const std::string& name, const std::vector<s
     return;
   }
   std::string message = std::string(what) + " '" + name + "' is not in " + where;
-  if (const std::optional<std::string> nearest = nearest_name(name, choices)) {
-    message += "; did you mean '" + *nearest + "'?";
-  }
+  const std::optional<std::string> nearest = nearest_name(name, choices);
+  message += nearest ? "; did you mean '" + *nearest + "'?" : ".";
   throw InputError(message + " Choose one of " +
                    joined_of(choices, [](const std::string& choice) { return "'" + choice + "'"; }));
 }

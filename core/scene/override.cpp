@@ -51,14 +51,20 @@ PresetValue& element(PresetArray& array, const std::string& key, const std::stri
 }
 
 // The value that the pointer leads to. Missing keys are made on the way, so that a preset may omit an object.
+// A list is not made: its elements would lack what they need.
 PresetValue& descend(PresetValue& root, std::span<const std::string> keys, const std::string& source) {
   PresetValue* at = &root;
   std::string pointer;
-  for (const std::string& key : keys) {
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const std::string& key = keys[i];
     const std::string parent = pointer;
     pointer = pointer_below(pointer, key);
     if (auto* object = std::get_if<PresetObject>(&at->data)) {
       const auto [place, is_new] = object->try_emplace(key);
+      if (is_new && i + 1 < keys.size() && number_from<std::size_t>(keys[i + 1])) {
+        throw InputError(source + ": " + shown_pointer(pointer) + ": the preset has none, so there is no element " +
+                         quoted_text(keys[i + 1]) + "; set the whole list: " + shown_pointer(pointer) + "=[...]");
+      }
       if (is_new) {
         place->second.data = PresetObject{};
         place->second.source = source;

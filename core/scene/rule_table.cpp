@@ -426,7 +426,7 @@ constexpr auto kRules = std::to_array<Rule>({
     choice<&Camera::projection>("camera.projection", kProjectionNames, "perspective",
                                 "how directions fall on the picture"),
     only_for(kPerspective,
-             hinted("a wider view needs the projection \"fisheye\"",
+             hinted("a view of 180 degrees or more needs the projection \"fisheye\"",
                     number<&Camera::vertical_fov>(
                         "camera.vertical_fov_deg",
                         Range{.minimum = 0.0, .maximum = 180.0, .minimum_excluded = true, .maximum_excluded = true},

@@ -76,7 +76,7 @@ std::vector<std::string> zone_names(const fs::path& folder) {
                      " (Debian: the package tzdata); install them, or write an offset such as +02:00");
   }
   const std::optional<std::string> nearest = nearest_name(name, zone_names(folder));
-  throw InputError(option + ": no time zone '" + name + "'" + (nearest ? "; did you mean '" + *nearest + "'?" : "") +
+  throw InputError(option + ": no time zone '" + name + "'" + (nearest ? "; did you mean '" + *nearest + "'?" : ".") +
                    " Write a name such as Europe/Paris, or an offset such as +02:00");
 }
 

@@ -244,10 +244,16 @@ HostTerrain placed_heights(const Terrain& terrain) {
 
 // A map may reach below the ground, but not with all of it: then there is nothing to see, and no shadow to place.
 void refuse_sunken(const Terrain& terrain, const HostTerrain& maps) {
-  if (maps.heights->back() <= 0.0F) {
-    throw InputError("/planet/terrain/highest_km: " + rounded(terrain.highest, 6) +
-                     " leaves no point of the map above the ground; raise it above 0, or remove the terrain");
+  if (maps.heights->back() > 0.0F) {
+    return;
   }
+  if (terrain.highest > 0.0) {
+    throw InputError("/planet/terrain/height_map: " + terrain.height_map +
+                     ": even its brightest pixel does not rise above the ground; raise lowest_km, take a map that is "
+                     "not black all over, or remove the terrain");
+  }
+  throw InputError("/planet/terrain/highest_km: " + rounded(terrain.highest, 6) +
+                   " leaves no point of the map above the ground; raise it above 0, or remove the terrain");
 }
 
 void refuse_buried_camera(double altitude, const std::shared_ptr<const HostTerrain>& terrain) {

@@ -137,6 +137,7 @@ TEST_F(TerrainTool, NonsenseIsRefusedInOneLine) {
   heights("plateau.exr", 1.0F);
   heights("dot.exr", 1.0F, 1);
   heights("holes.exr", std::nanf(""));
+  heights("black.exr", 0.0F);
   scratch_.write("text.tif", "no picture");
   struct Case {
     std::string terrain;
@@ -161,6 +162,8 @@ TEST_F(TerrainTool, NonsenseIsRefusedInOneLine) {
            {R"({"height_map": "holes.exr", "width_km": 9})", "1024 values are not finite, the first at (0, 0)"},
            {R"({"height_map": "plateau.exr", "width_km": 0.1, "lowest_km": -10, "highest_km": -1})",
             "/planet/terrain/highest_km: -1 leaves no point of the map above the ground"},
+           {R"({"height_map": "black.exr", "width_km": 9})",
+            "black.exr: even its brightest pixel does not rise above the ground"},
            {R"({"height_map": "plateau.exr", "width_km": 9, "highest_km": 5})",
             "/camera/altitude_km: 3 km is inside the terrain, which is 5 km high there"}}) {
     preset(c.terrain);

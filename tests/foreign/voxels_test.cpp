@@ -59,9 +59,11 @@ TEST_F(VoxelFiles, OfOtherKindsAreRefused) {
             file + ": the grid \"density\" holds no floating-point numbers, so it is no fog volume; choose another");
   EXPECT_EQ(refusal(file, "dens"), file + ": has no grid \"dens\"; it has \"density\"");
   file = put("text.vdb", "3 2 2\n0.02 0.02\n0.4 0.5\n");
-  EXPECT_EQ(refusal(file), file + ": is no OpenVDB file");
-  EXPECT_EQ(refusal((folder_ / "none.vdb").string()),
-            (folder_ / "none.vdb").string() + ": cannot be read: No such file or directory");
+  EXPECT_EQ(refusal(file),
+            file + ": is no OpenVDB file; expected one, or for a grid as plain text a name that does not end in .vdb");
+  EXPECT_EQ(
+      refusal((folder_ / "none.vdb").string()),
+      (folder_ / "none.vdb").string() + ": cannot be read: No such file or directory; expected a file of OpenVDB");
 }
 
 TEST_F(VoxelFiles, AreBoundedBeforeTheyAreRead) {
@@ -78,8 +80,10 @@ TEST_F(VoxelFiles, ThatAreCutShortAreRefused) {
   for (std::size_t length = 0; length < whole.size(); length += length < 300 ? 7 : 211) {
     const std::string file = put("cut.vdb", whole.substr(0, length));
     const std::string message = refusal(file);
-    EXPECT_TRUE(message == file + ": damaged or cut short: its grids go on beyond its end" ||
-                message == file + ": is no OpenVDB file")
+    EXPECT_TRUE(
+        message == file + ": damaged or cut short: its grids go on beyond its end" ||
+        message ==
+            file + ": is no OpenVDB file; expected one, or for a grid as plain text a name that does not end in .vdb")
         << length << ": " << message;
   }
 }

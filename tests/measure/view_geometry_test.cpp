@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "tests/output/files.h"
 
 namespace airlight::measure {
 namespace {
@@ -131,9 +132,14 @@ TEST(ViewGeometry, ReadsAResolvedPreset) {
 }
 
 TEST(ViewGeometry, RefusesAPresetWithoutACamera) {
-  EXPECT_THROW(viewpoint_from_preset("{"), InputError);
-  EXPECT_THROW(viewpoint_from_preset("[]"), InputError);
-  EXPECT_THROW(viewpoint_from_preset(R"({"camera":{}})"), InputError);
+  const auto said = [](std::string_view preset) {
+    return test::message_of<InputError>([&] { viewpoint_from_preset(preset); });
+  };
+  const std::string damaged = "the preset that it carries is damaged: it ";
+  EXPECT_EQ(said("{"), damaged + "is not JSON from byte 2 on; render or copy the picture again");
+  for (const char* preset : {"[]", R"({"camera":{}})"}) {
+    EXPECT_EQ(said(preset), damaged + "does not tell camera, sun and planet; render or copy the picture again");
+  }
 }
 
 }  // namespace

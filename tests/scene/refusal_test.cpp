@@ -83,11 +83,11 @@ INSTANTIATE_TEST_SUITE_P(
              "/camera/altitude_km: -0.001 is outside 0 to 1e7 km; below 0 the camera is inside the planet"},
         Case{R"("camera": {"pitch_deg": 91})", "/camera/pitch_deg: 91 is outside -90 to 90 degrees"},
         Case{R"("camera": {"vertical_fov_deg": 180})",
-             "/camera/vertical_fov_deg: 180 is not above 0 and below 180 degrees; a wider view needs the projection "
-             "\"fisheye\""},
+             "/camera/vertical_fov_deg: 180 is not above 0 and below 180 degrees; a view of 180 degrees or more "
+             "needs the projection \"fisheye\""},
         Case{R"("camera": {"vertical_fov_deg": 0})",
-             "/camera/vertical_fov_deg: 0 is not above 0 and below 180 degrees; a wider view needs the projection "
-             "\"fisheye\""},
+             "/camera/vertical_fov_deg: 0 is not above 0 and below 180 degrees; a view of 180 degrees or more "
+             "needs the projection \"fisheye\""},
         Case{R"("camera": {"projection": "fisheye", "vertical_fov_deg": 360.5})",
              "/camera/vertical_fov_deg: 360.5 is not above 0 and at most 360 degrees"},
         Case{R"("camera": {"projection": "equirectangular", "pitch_deg": 5})",
