@@ -205,6 +205,11 @@ int run_render(const RenderOrder& given) {
   require_one_depth(given.picture, "render");
   const Scene scene = scene_of(given);
   const std::optional<ChoiceWish> wish = choice_wish(given, scene);
+  if (!given.sampling.checkpoint.empty() && (wish || !samples(scene))) {
+    throw InputError("render: --checkpoint keeps samples, and " +
+                     (wish ? std::string("the method that --tolerance or --time-limit chooses") : scene.render.method) +
+                     " takes none; leave it out, or choose a method that samples, such as path-trace");
+  }
   if (given.cube_faces) {
     require_cube_stack(scene);
   }
