@@ -13,7 +13,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 #ifdef AIRLIGHT_TILES
 #include "shared/thing_tiles.glsl"
-// passes/thing_block_air.comp; any buffer where kTiles is kTilesAll
+// thing_listing.glsl; any buffer where kTiles is kTilesAll
 layout(scalar, set = 0, binding = 33) readonly buffer Tiles { uint values[]; } tiles;
 #endif
 

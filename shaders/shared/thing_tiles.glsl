@@ -1,4 +1,4 @@
-// The list of a tile's blocks of pixels by the pass that renders them (passes/thing_block_air.comp). For each kind it
+// The list of a tile's blocks of pixels by the pass that renders them (thing_listing.glsl). For each kind it
 // holds three counts of workgroups, one for a block, and the number of blocks. Then come the blocks as x and y of 16
 // bits: of two kinds from the front and from the back of a row as long as there are blocks, of the third in a second
 // one.
