@@ -36,7 +36,10 @@ LatticeRay mean_of(LatticeRay a, LatticeRay b) {
   return mean;
 }
 
-const float kLeastThrough = 0.001;  // transmittance of which nothing shows in the light
+// Rays' transmittances differ by no more than `contrast` of the greatest of them, which counts as this at least.
+const float kLeastByDay = 1.0;      // the light past the rays is compared as well
+const float kLeastByNight = 0.001;  // stars, which are put behind the cloud later, may outshine it
+float least_through() { return scene.sun.direction.y < 0.0 ? kLeastByNight : kLeastByDay; }
 
 struct Between {
   LatticeRay ray;
@@ -71,8 +74,7 @@ Between between_rays(uvec2 pixel, uint width, vec3 behind, vec3 direction, float
     from.ray = odd.x == 0u ? mean_of(a, c) : odd.y == 0u ? mean_of(a, b) : mean_of(mean_of(a, b), mean_of(c, d));
   }
   bool alike = a.end < kEndsOutside && b.end == a.end && c.end == a.end && d.end == a.end;
-  // What is left of a star behind the cloud may outshine the cloud.
-  bool clear = thinnest - thickest <= contrast * max(thinnest, kLeastThrough);
+  bool clear = thinnest - thickest <= contrast * max(thinnest, least_through());
   bool even = all(lessThanEqual(high - low, contrast * high)) && clear;
   from.holds = own || (alike && even && corners_from_peak(pixel, direction) > 4.0);
   return from;

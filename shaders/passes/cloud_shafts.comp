@@ -23,6 +23,8 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = 26) uniform writeonly image3D shafts_out;
+const uint kStepsAbove = 8u;  // up to where a ray from above the cloud falls below its top
+
 layout(push_constant, scalar) uniform Push { uint parts; };  // of a slice
 
 void main() {
@@ -35,16 +37,23 @@ void main() {
   vec3 direction = view_ray(scene.camera, kProjection, at.x, at.y).direction;
   Ray ray = air_ray(direction);
   FactorPlace of = factor_place(direction);
-  float length_ = max(ray.length_, 0.0);
-  float reach = shaded_reach(scene.planet.ground_radius, highest_cloud(), ray.h, ray.mu, length_);
+  ShadedWay way = shaded_way(scene.planet.ground_radius, highest_cloud(), ray.h, ray.mu, max(ray.length_, 0.0));
   ShadedAir air = no_shaded_air();
-  for (uint slice = 1u; slice < size.z; slice++) {
-    float to = shaded_distance(reach, length_, float(slice) / float(size.z - 1u));
-    air = shaded_up_to(air, ray, of, direction, to, parts);
-    vec3 share = share_left(air);
-    if (slice == 1u) {
-      imageStore(shafts_out, ivec3(cell, 0), vec4(share, 1.0));
+  uint steps = way.from > 0.0 ? kStepsAbove : 0u;
+  for (uint i = 1u; i <= steps; i++) {
+    float share_of_way = float(i) / float(steps);
+    air = shaded_up_to(air, ray, of, direction, way.from * share_of_way * share_of_way, parts);
+  }
+  // From below the top the first slice is of no length: it has the share of the second.
+  uint first = steps > 0u ? 0u : 1u;
+  for (uint slice = first; slice < size.z; slice++) {
+    if (slice > 0u) {
+      air = shaded_up_to(air, ray, of, direction, shaded_distance(way, float(slice) / float(size.z - 1u)), parts);
     }
-    imageStore(shafts_out, ivec3(cell, slice), vec4(share, 1.0));
+    vec4 share = vec4(share_left(air), 1.0);
+    if (slice == 1u && first == 1u) {
+      imageStore(shafts_out, ivec3(cell, 0), share);
+    }
+    imageStore(shafts_out, ivec3(cell, slice), share);
   }
 }

@@ -24,21 +24,33 @@ real cloud_mean_slope(real row) { return exp(log(kLeastCloudSlope) * (1.0 - row 
 // the horizon alone.
 const real kShadedSlices = 0.8;
 
-// Distance of the slice coordinate z, 0 to 1 over a ray of this length; `reach`: up to which a cloud is above the ray.
-real shaded_distance(real reach, real length_, real z) {
+// Distances of a ray, km, over which slices of shaded air are spread.
+struct ShadedWay {
+  real from;   // where it falls below the cloud's top: a slice ends there, and the next ones are the finer the nearer
+  real reach;  // where it rises above the top
+  real length_;
+};
+
+// Distance of the slice coordinate z, 0 to 1.
+real shaded_distance(ShadedWay way, real z) {
   real near = min(z / kShadedSlices, 1.0);
   real far = max(z - kShadedSlices, 0.0) / (1.0 - kShadedSlices);
-  return reach * near * near + (length_ - reach) * far * far;
+  return way.from + (way.reach - way.from) * near * near + (way.length_ - way.reach) * far * far;
 }
 
-real shaded_coordinate(real reach, real length_, real t) {
-  real near = sqrt(clamp(t / max(reach, 1e-9), 0.0, 1.0));
-  real far = sqrt(clamp((t - reach) / max(length_ - reach, 1e-9), 0.0, 1.0));
+// Its inverse; 0 before the way's `from`.
+real shaded_coordinate(ShadedWay way, real t) {
+  real near = sqrt(clamp((t - way.from) / max(way.reach - way.from, 1e-9), 0.0, 1.0));
+  real far = sqrt(clamp((t - way.reach) / max(way.length_ - way.reach, 1e-9), 0.0, 1.0));
   return kShadedSlices * near + (1.0 - kShadedSlices) * far;
 }
 
-// Of a ray of this length: the distance up to which it is below a cloud's top.
-real shaded_reach(real ground_radius, CloudData c, real h, real mu, real length_) {
+// Of a ray of this length. One that stays above the cloud's top is far from its beginning.
+ShadedWay shaded_way(real ground_radius, CloudData c, real h, real mu, real length_) {
   CloudCrossing top = sphere_crossing(ground_radius, h, mu, c.top);
-  return top.from > top.to ? 0.0 : clamp(top.to, 0.0, length_);
+  ShadedWay way;
+  way.reach = top.from > top.to ? 0.0 : clamp(top.to, 0.0, length_);
+  way.from = top.from > top.to ? 0.0 : clamp(top.from, 0.0, way.reach);
+  way.length_ = length_;
+  return way;
 }

@@ -284,7 +284,7 @@ AirRay ray_through_clouds(uvec2 pixel, vec3 direction) {
   of.ray = air_ray(direction);
   of.at = factor_place(direction);
   of.direction = direction;
-  of.reach = shaded_reach(scene.planet.ground_radius, highest_cloud(), of.ray.h, of.ray.mu, max(of.ray.length_, 0.0));
+  of.way = shaded_way(scene.planet.ground_radius, highest_cloud(), of.ray.h, of.ray.mu, max(of.ray.length_, 0.0));
   if (kAirByRay == 0u) {
     of = among_froxels(of);
   }

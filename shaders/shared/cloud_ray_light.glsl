@@ -8,32 +8,28 @@ struct Before {
 
 const float kRaySlices = 32.0;  // of a ray whose shade is found along it
 
-// How the slices of a row of froxels are spread over its rays.
-struct FroxelRow {
-  float reach;
-  float length_;
-};
-
 // What walks through the air along a pixel's ray read.
 struct AirRay {
   Ray ray;
   FactorPlace at;
   vec3 direction;
-  float reach;
+  ShadedWay way;
   float row;  // of froxels; between the two around it the pixel stands
   bool near_edge;  // of the planet; else both rows count as the ray's own
-  FroxelRow upper;
-  FroxelRow lower;
+  ShadedWay upper;
+  ShadedWay lower;
 };
 
+// The slices of a ray on its own are fine at the camera.
 ShadedAir further(ShadedAir air, AirRay of, float distance_) {
-  float from = shaded_coordinate(of.reach, of.ray.length_, air.distance_);
-  float to = shaded_coordinate(of.reach, of.ray.length_, distance_);
+  ShadedWay way = of.way;
+  way.from = 0.0;
+  float from = shaded_coordinate(way, air.distance_);
+  float to = shaded_coordinate(way, distance_);
   uint steps = uint(clamp(ceil((to - from) * kRaySlices), 0.0, kRaySlices));
   for (uint i = 1u; i <= steps; i++) {
     float z = mix(from, to, float(i) / float(steps));
-    air = shaded_up_to(air, of.ray, of.at, of.direction,
-                       i < steps ? shaded_distance(of.reach, of.ray.length_, z) : distance_, 2u);
+    air = shaded_up_to(air, of.ray, of.at, of.direction, i < steps ? shaded_distance(way, z) : distance_, 2u);
   }
   return air;
 }
@@ -42,11 +38,10 @@ vec2 pixel_in_picture() { return vec2(here + uvec2(scene.tile.x, scene.tile.y)) 
 
 float froxel_rows() { return float(textureSize(cloud_shafts_lut, 0).y - 1); }
 
-FroxelRow froxel_row(float row) {
+ShadedWay way_of_row(float row) {
   float y = row / froxel_rows() * float(scene.camera.height);
   Ray ray = air_ray(view_ray(scene.camera, kProjection, pixel_in_picture().x, y).direction);
-  float length_ = max(ray.length_, 0.0);
-  return FroxelRow(shaded_reach(scene.planet.ground_radius, highest_cloud(), ray.h, ray.mu, length_), length_);
+  return shaded_way(scene.planet.ground_radius, highest_cloud(), ray.h, ray.mu, max(ray.length_, 0.0));
 }
 
 AirRay among_froxels(AirRay of) {
@@ -54,16 +49,16 @@ AirRay among_froxels(AirRay of) {
   of.row = pixel_in_picture().y / float(scene.camera.height) * froxel_rows();
   of.near_edge = abs(of.ray.mu - horizon_mu(scene.planet, of.ray.h)) < kNear;
   if (of.near_edge) {
-    of.upper = froxel_row(floor(of.row));
-    of.lower = froxel_row(floor(of.row) + 1.0);
+    of.upper = way_of_row(floor(of.row));
+    of.lower = way_of_row(floor(of.row) + 1.0);
   }
   return of;
 }
 
-vec3 share_of_row(FroxelRow of, float row, float distance_) {
+vec3 share_of_row(ShadedWay way, float row, float distance_) {
   vec3 size = vec3(textureSize(cloud_shafts_lut, 0));
   vec3 place = vec3(pixel_in_picture().x / float(scene.camera.width), row / froxel_rows(),
-                    shaded_coordinate(of.reach, of.length_, distance_));
+                    shaded_coordinate(way, distance_));
   return textureLod(cloud_shafts_lut, (vec3(0.5) + place * (size - 1.0)) / size, 0.0).rgb;
 }
 
@@ -71,7 +66,7 @@ vec3 share_of_row(FroxelRow of, float row, float distance_) {
 // same distance, not at the same share of its way.
 vec3 share_by_froxels(AirRay of, float distance_) {
   if (!of.near_edge) {
-    return share_of_row(FroxelRow(of.reach, of.ray.length_), of.row, distance_);
+    return share_of_row(of.way, of.row, distance_);
   }
   float row = floor(of.row);
   return mix(share_of_row(of.upper, row, distance_), share_of_row(of.lower, row + 1.0, distance_), of.row - row);

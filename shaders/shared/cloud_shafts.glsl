@@ -99,4 +99,8 @@ ShadedAir shaded_up_to(ShadedAir air, Ray ray, FactorPlace at, vec3 direction, f
   return air;
 }
 
-vec3 share_left(ShadedAir air) { return air.left / max(air.clear.once + air.clear.more, vec3(1e-20)); }
+// 1 where there is no air yet.
+vec3 share_left(ShadedAir air) {
+  const vec3 kNone = vec3(1e-20);
+  return (air.left + kNone) / (air.clear.once + air.clear.more + kNone);
+}

@@ -78,10 +78,10 @@ TEST(CloudLattice, GoesEvenlyBetweenRaysOfALevelCloud) {
 // Where rays differ all pixels are marched.
 TEST(CloudLattice, IsThePictureOfAllRays) {
   const Difference found = halved(below_balls("half"), below_balls("full"));
-  EXPECT_LT(found.mean, 5e-4);
+  EXPECT_LT(found.mean, 1e-3);
   EXPECT_LT(found.most, 0.12);
   EXPECT_GT(found.equal, 0.3);
-  EXPECT_LT(found.equal, 0.9);
+  EXPECT_LT(found.equal, 0.65);
 }
 
 // What stands behind clouds is each pixel's own: the edges of things in gaps are as sharp as without clouds.
@@ -109,7 +109,7 @@ TEST(CloudLattice, KeepsTheEdgesOfThings) {
     }
   }
   EXPECT_GT(of_the_ball, 50U);
-  EXPECT_LT(between(half, full).mean, 5e-4);
+  EXPECT_LT(between(half, full).mean, 1e-3);
 }
 
 // The sun's disc may outshine a cloud that hides it but for a trace.
@@ -119,7 +119,7 @@ TEST(CloudLattice, LeavesAsMuchOfTheDisc) {
     made.sun.disc.visible = true;
     made.camera.azimuth = made.sun.azimuth;
     made.camera.pitch = made.sun.elevation;
-    made.camera.vertical_fov = radians(3.0);
+    made.camera.vertical_fov = radians(2.0);
     return made;
   };
   const RadianceImage half = render_now(scene("half")).radiance;
@@ -132,6 +132,29 @@ TEST(CloudLattice, LeavesAsMuchOfTheDisc) {
   }
   std::printf("with the disc: %.3f %% off\n", 100.0 * off / sum);
   EXPECT_LT(off / sum, 2e-3);
+}
+
+// At night a star may outshine the cloud before it, which sends nothing: how much of the star is left counts alone.
+// Roots of light, so that stars weigh more alike.
+TEST(CloudLattice, LeavesAsMuchOfStars) {
+  const auto scene = [](const char* resolution) {
+    Scene made = below_balls(resolution);
+    made.sun.elevation = radians(-25.0);
+    made.stars = Stars{6.5};
+    made.camera.julian_date = 2451545.0;
+    made.camera.vertical_fov = radians(100.0);
+    return made;
+  };
+  const RadianceImage half = render_now(scene("half")).radiance;
+  const RadianceImage full = render_now(scene("full")).radiance;
+  double sum = 0.0;
+  double off = 0.0;
+  for (std::size_t i = 0; i < full.rgba.size(); i += 4) {
+    sum += std::sqrt(double{full.rgba[i]});
+    off += std::abs(std::sqrt(double{half.rgba[i]}) - std::sqrt(double{full.rgba[i]}));
+  }
+  std::printf("stars: roots of their light %.3f %% off\n", 100.0 * off / sum);
+  EXPECT_LT(off / sum, 5e-4);
 }
 
 TEST(CloudLattice, TilesAreThePicture) {

@@ -89,7 +89,7 @@ double scattered_by_air(const Scene& scene, double mu, double nu, Shade shade) {
   double light = 0.0;
   double t = 0.0;
   double altitude = scene.camera.altitude;
-  while (altitude < scene.planet.atmosphere_height) {
+  while (altitude > 0.0 && altitude < scene.planet.atmosphere_height) {
     const double step = 0.01 + 0.002 * t;
     t += 0.5 * step;
     const double r = std::sqrt(from * from + t * (2.0 * from * mu + t));
