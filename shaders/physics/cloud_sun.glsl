@@ -45,12 +45,15 @@ real shaded_coordinate(ShadedWay way, real t) {
   return kShadedSlices * near + (1.0 - kShadedSlices) * far;
 }
 
-// Of a ray of this length. One that stays above the cloud's top is far from its beginning.
+// Of a ray of this length. One that stays above the cloud's top has both at its lowest point, as one that touches the
+// top has.
 ShadedWay shaded_way(real ground_radius, CloudData c, real h, real mu, real length_) {
   CloudCrossing top = sphere_crossing(ground_radius, h, mu, c.top);
+  bool misses = top.from > top.to;
+  real lowest = -(ground_radius + h) * mu;
   ShadedWay way;
-  way.reach = top.from > top.to ? 0.0 : clamp(top.to, 0.0, length_);
-  way.from = top.from > top.to ? 0.0 : clamp(top.from, 0.0, way.reach);
+  way.from = clamp(misses ? lowest : top.from, 0.0, length_);
+  way.reach = clamp(misses ? lowest : top.to, 0.0, length_);
   way.length_ = length_;
   return way;
 }

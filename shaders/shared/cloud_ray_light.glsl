@@ -62,14 +62,20 @@ vec3 share_of_row(ShadedWay way, float row, float distance_) {
   return textureLod(cloud_shafts_lut, (vec3(0.5) + place * (size - 1.0)) / size, 0.0).rgb;
 }
 
+bool stays_above(ShadedWay way) { return way.from == way.reach; }
+
 // The slices of rows near the planet's edge are spread over ways of very different lengths: each row is asked at the
-// same distance, not at the same share of its way.
+// same distance, not at the same share of its way. Seen from above, a row that dips into the shade of the cloud tells
+// nothing of a ray that stays above it. (Rows count downward.)
 vec3 share_by_froxels(AirRay of, float distance_) {
   if (!of.near_edge) {
     return share_of_row(of.way, of.row, distance_);
   }
   float row = floor(of.row);
-  return mix(share_of_row(of.upper, row, distance_), share_of_row(of.lower, row + 1.0, distance_), of.row - row);
+  float lower = of.row - row;
+  bool beside = stays_above(of.way) && !stays_above(of.lower);
+  lower = beside ? 0.0 : lower;
+  return mix(share_of_row(of.upper, row, distance_), share_of_row(of.lower, row + 1.0, distance_), lower);
 }
 
 // Share of the sun that things leave at a point of the ray.

@@ -277,6 +277,41 @@ TEST(CloudPicture, ShadesTheAirAlikeOnBothSidesOfTheHorizon) {
   EXPECT_LT(worst, 0.02);
 }
 
+// Seen from above, a ray that touches the top of a black cloud is next to one that misses it.
+TEST(CloudPicture, ShadesTheAirAlikeOnBothSidesOfTheCloudsHorizon) {
+  constexpr int kWidth = 192;
+  Scene scene = among_black_clouds(35.0);
+  scene.planet.ground_radius = 6371.0;
+  scene.image = {kWidth, 108};
+  scene.camera.altitude = 3.2;
+  scene.camera.azimuth = radians(90.0);
+  scene.camera.pitch = radians(-22.0);
+  scene.camera.vertical_fov = radians(50.0);
+  physics::Physics p = geometry_of(scene);
+  std::vector<Direction> directions;
+  std::vector<std::size_t> pixels;
+  for (int y = 0; y < 20; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      const physics::vec3 d = p.view_ray(p.scene.camera, 0, x + 0.5, y + 0.5).direction;
+      if (d.y > -0.026 && d.y < -0.004) {  // the planet's edge is at -0.032
+        directions.push_back({std::asin(d.y), std::atan2(d.x, -d.z)});
+        pixels.push_back(static_cast<std::size_t>(y * kWidth + x));
+      }
+    }
+  }
+  const std::vector<ProbeResult> rays = probe_now(scene, directions);
+  const Rendering picture = render_now(scene);
+  double worst = 0.0;
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const double shown = static_cast<double>(picture.radiance.rgba[4 * pixels[i] + 1]);
+    worst = std::max(worst, std::abs(shown / rays[i].radiance[1] - 1.0));
+  }
+  std::printf("air before a cloud's horizon: froxels and rays differ by %.2f %% at most in %zu pixels\n", 100.0 * worst,
+              pixels.size());
+  EXPECT_GT(pixels.size(), 300U);
+  EXPECT_LT(worst, 0.07);
+}
+
 // The sun's rays fall through a thin veil and rise through it once more: its shade is the way through the shell times
 // the extinction.
 TEST(CloudPicture, ShadesTheAirOfALowSun) {
