@@ -84,7 +84,7 @@ const std::array<ParameterInfo, 14> kParameters{
         "cells of the light that a cloud scatters more than once, over the field's width and depth x upward"),
     parameter::choice("cloud_resolution", kCloudResolutions, "half",
                       "half: march through clouds at every second pixel each way and go between, but where their light "
-                      "differs by a tenth, at edges, and in cube and octahedral maps"),
+                      "differs by 15 %, at edges, and in cube and octahedral maps"),
     phase_parameter()};
 
 void settle(RenderSettings& settings, const Part& part) {

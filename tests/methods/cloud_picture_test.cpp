@@ -12,6 +12,8 @@
 #include "core/base/error.h"
 #include "core/methods/ready.h"
 #include "core/render/render.h"
+#include "core/scene/preset.h"
+#include "core/scene/resolve.h"
 #include "tests/methods/cloud_scene.h"
 #include "tests/methods/render_fixture.h"
 #include "tests/methods/slab.h"
@@ -310,6 +312,38 @@ TEST(CloudPicture, ShadesTheAirAlikeOnBothSidesOfTheCloudsHorizon) {
               pixels.size());
   EXPECT_GT(pixels.size(), 300U);
   EXPECT_LT(worst, 0.07);
+}
+
+// A bright sheet of cloud lights the air above it: rays that touch its top and rays that miss it find as much of it.
+TEST(CloudPicture, LightsTheAirAlikeOnBothSidesOfTheCloudsHorizon) {
+  Scene scene = resolve(load_preset(AIRLIGHT_SOURCE_DIR "/presets/above-the-clouds.json"), method_infos());
+  scene.image = {96, 54};
+  scene.camera.pitch = radians(-1.4);
+  scene.camera.vertical_fov = radians(10.0);
+  scene.render.parameters.insert_or_assign("cloud_resolution", "full");
+  physics::Physics p = geometry_of(scene);
+  std::vector<Direction> directions;
+  std::vector<std::size_t> pixels;
+  for (int y = 0; y < scene.image.height; ++y) {
+    for (int x = 0; x < scene.image.width; ++x) {
+      const physics::vec3 d = p.view_ray(p.scene.camera, 0, x + 0.5, y + 0.5).direction;
+      if (d.y > -0.029 && d.y < -0.015) {  // the planet's edge is at -0.032
+        directions.push_back({std::asin(d.y), std::atan2(d.x, -d.z)});
+        pixels.push_back(static_cast<std::size_t>(y * scene.image.width + x));
+      }
+    }
+  }
+  const std::vector<ProbeResult> rays = probe_now(scene, directions);
+  const Rendering picture = render_now(scene);
+  double worst = 0.0;
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const double shown = static_cast<double>(picture.radiance.rgba[4 * pixels[i] + 1]);
+    worst = std::max(worst, std::abs(shown / rays[i].radiance[1] - 1.0));
+  }
+  std::printf("air before a bright horizon: froxels and rays differ by %.2f %% at most in %zu pixels\n", 100.0 * worst,
+              pixels.size());
+  EXPECT_GT(pixels.size(), 200U);
+  EXPECT_LT(worst, 0.03);
 }
 
 // The sun's rays fall through a thin veil and rise through it once more: its shade is the way through the shell times
