@@ -66,15 +66,16 @@ bool stays_above(ShadedWay way) { return way.from == way.reach; }
 
 // The slices of rows near the planet's edge are spread over ways of very different lengths: each row is asked at the
 // same distance, not at the same share of its way. Seen from above, a row that dips into the shade of the cloud tells
-// nothing of a ray that stays above it. (Rows count downward.)
+// nothing of a ray that stays above it.
 vec3 share_by_froxels(AirRay of, float distance_) {
   if (!of.near_edge) {
     return share_of_row(of.way, of.row, distance_);
   }
   float row = floor(of.row);
   float lower = of.row - row;
-  bool beside = stays_above(of.way) && !stays_above(of.lower);
-  lower = beside ? 0.0 : lower;
+  if (stays_above(of.way)) {
+    lower = !stays_above(of.lower) ? 0.0 : !stays_above(of.upper) ? 1.0 : lower;
+  }
   return mix(share_of_row(of.upper, row, distance_), share_of_row(of.lower, row + 1.0, distance_), lower);
 }
 
