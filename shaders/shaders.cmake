@@ -1,4 +1,4 @@
-# GLSL -> SPIR-V -> validated -> optimised -> validated -> embedded as C++ arrays.
+# GLSL -> SPIR-V, loops rotated -> validated -> optimised -> validated -> embedded as C++ arrays.
 set(AIRLIGHT_SHADERS_FROM "" CACHE PATH
     "Another build of this tree, whose shaders, frozen modules and objects of tests are taken as they are")
 find_program(GLSLANG glslangValidator REQUIRED)
@@ -14,6 +14,13 @@ set(AIRLIGHT_SPIRV_OPT_FLAGS
     --eliminate-local-single-block --eliminate-local-single-store --eliminate-dead-code-aggressive --ssa-rewrite
     --eliminate-dead-code-aggressive --redundancy-elimination --simplify-instructions --eliminate-dead-code-aggressive
     --merge-blocks --preserve-bindings --preserve-spec-constants)
+
+if(NOT AIRLIGHT_SHADERS_FROM)
+  add_executable(rotate_loops ${PROJECT_SOURCE_DIR}/shaders/rotate_loops.cpp
+                 ${PROJECT_SOURCE_DIR}/core/gpu/rotate_loops.cpp)
+  target_include_directories(rotate_loops SYSTEM PRIVATE ${SPIRV_HEADERS_INCLUDE_DIR})
+  target_link_libraries(rotate_loops PRIVATE airlight_flags)
+endif()
 
 # Reads test_ROOM.objects of another build, as Ninja names the files. Without the encoding CMake would end a line at a
 # letter beyond ASCII: airlight_objects(VARIABLE FILE).
@@ -70,13 +77,14 @@ function(airlight_embed_shaders target function)
       OUTPUT ${base}.spv ${base}.cpp
       COMMAND ${GLSLANG} --quiet -V --target-env vulkan1.2 -I${PROJECT_SOURCE_DIR}/shaders --depfile ${base}.d
               -o ${base}.spv ${source}
+      COMMAND rotate_loops ${base}.spv
       COMMAND ${SPIRV_VAL} --target-env vulkan1.2 --scalar-block-layout ${base}.spv
       COMMAND ${SPIRV_OPT} ${AIRLIGHT_SPIRV_OPT_FLAGS} --target-env=vulkan1.2 --scalar-block-layout ${base}.spv
               -o ${base}.opt.spv
       COMMAND ${SPIRV_VAL} --target-env vulkan1.2 --scalar-block-layout ${base}.opt.spv
       COMMAND ${CMAKE_COMMAND} -DIN=${base}.opt.spv -DOUT=${base}.cpp -DNAME=${name}
               -P ${PROJECT_SOURCE_DIR}/shaders/embed.cmake
-      DEPENDS ${source} ${PROJECT_SOURCE_DIR}/shaders/embed.cmake
+      DEPENDS ${source} ${PROJECT_SOURCE_DIR}/shaders/embed.cmake rotate_loops
       DEPFILE ${base}.d
       COMMENT "Shader ${name}"
       VERBATIM)

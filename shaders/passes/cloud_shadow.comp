@@ -10,6 +10,7 @@
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_EXT_control_flow_attributes : require
 #define UNROLL [[unroll]]
+#define DONT_UNROLL [[dont_unroll]]
 #define real float
 #include "shared/cloud_volume.glsl"
 #include "shared/cloud_carved.glsl"
@@ -62,9 +63,9 @@ void main() {
   for (uint i = 0u; i < steps; i++) {
     float down = (float(i) + 0.5) / float(steps);
     vec2 place = vec2(at) / vec2(c.fine_x, c.fine_y) - lean * down;
-    // As a loop: a processor runs the code of a branch that none takes, but no turn of a loop.
     uint waters = empty_cells(vec3(place, 1.0 - down)) < 0.5 ? rays : 0u;
-    for (uint r = 0u; r < waters; r++) {
+    // Unrolled, all four would be run where there is no water.
+    DONT_UNROLL for (uint r = 0u; r < waters; r++) {
       vec2 beside = rays == 1u ? vec2(0.0) : (vec2(r & 1u, r >> 1u) - 0.5) * 0.5 / vec2(c.fine_x, c.fine_y);
       depths[r] += water_of_ray(vec3(place + beside, 1.0 - down)) * way / float(steps);
     }

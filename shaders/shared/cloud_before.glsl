@@ -70,8 +70,7 @@ Walk with_sheets(Walk walk, Sheets sheets, AirRay of) {
     float t = g.reach / (g.before - g.transmittance);
     Stop stop = stop_at(walk, of, t);
     walk = stop.walk;
-    uint changes = kFields > 1u || walk.colour.t < 0.0 || abs(t - walk.colour.t) > kSameColour ? 1u : 0u;
-    for (uint turn = 0u; turn < changes; turn++) {
+    if (kFields > 1u || walk.colour.t < 0.0 || abs(t - walk.colour.t) > kSameColour) {
       walk.colour = colour_at(of, t);
     }
     vec3 light = coloured(g, walk.colour, sun_past_things_at(of, t));

@@ -17,9 +17,7 @@ float carved_extinction(vec3 place, float inside, float finer) {
   CloudEdge edge = cloud().edge;
   vec3 tile = place * vec3(edge.tiles, edge.tiles, edge.tile_levels);
   float carved = 0.0;
-  // As a loop: a processor runs the code of a branch that none takes, but no turn of a loop.
-  uint edges = inside > 0.0 && inside < edge.carving + edge.soft ? 1u : 0u;
-  for (uint one = 0u; one < edges; one++) {
+  if (inside > 0.0 && inside < edge.carving + edge.soft) {
     carved = edge_carved(place.z, noise_at(tile), mix(kMeanNoise, noise_at(tile * kCloudFiner), finer));
   }
   return inside > 0.0 ? edge_extinction(edge, place.z, inside, carved) : 0.0;

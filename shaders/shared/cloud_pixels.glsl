@@ -114,22 +114,19 @@ void take_step(inout March m, AirRay of, SunOnSpan sun) {
     m.size = max(least, m.size * max(most / depth, 0.25));
     return;
   }
-  // As loops: a processor runs the code of a branch that none takes, but no turn of a loop.
-  uint meets = depth > 0.0 ? 1u : 0u;
+  bool meets = depth > 0.0;
   float far_sun = m.near_sun;
-  for (uint turn = 0u; turn < meets; turn++) {
+  if (meets) {
     far_sun = shade_at(end, seen_at(sun, m.t + m.size));
-    uint unknown = m.near_sun < 0.0 ? 1u : 0u;
-    for (uint first = 0u; first < unknown; first++) {
-      m.near_sun = shade_at(cloud_place(radius, c, scene.camera.altitude, of.direction, m.t), seen_at(sun, m.t));
-    }
+    // Where the water begins a step is thin: the sun's depth is as good as even along it.
+    m.near_sun = m.near_sun < 0.0 ? far_sun : m.near_sun;
   }
   float shade = abs(far_sun - m.near_sun);
-  if (meets > 0u && shade > kSunStep && min(m.near_sun, far_sun) < kShaded && m.size > least) {
+  if (meets && shade > kSunStep && min(m.near_sun, far_sun) < kShaded && m.size > least) {
     m.size = max(least, m.size * max(kSunStep / shade, 0.25));
     return;
   }
-  for (uint turn = 0u; turn < meets; turn++) {
+  if (meets) {
     float passed = -log(m.stretch.transmittance) + 0.5 * (depth + m.near_sun + far_sun);
     m.start = m.stretch.before == m.stretch.transmittance ? m.t : m.start;
     float before = m.stretch.transmittance;
@@ -137,7 +134,7 @@ void take_step(inout March m, AirRay of, SunOnSpan sun) {
     m.stretch = with_cloud_step(m.stretch, phase_behind(of.at.nu, passed), m.near_sun, far_sun, depth, t);
     m.part = with_step_of_part(m.part, m.t, before - m.stretch.transmittance, t);
   }
-  m.near_sun = depth > 0.0 ? far_sun : -1.0;
+  m.near_sun = meets ? far_sun : -1.0;
   m.near = water.extinction;
   m.near_inside = water.inside;
   m.t += m.size;
@@ -159,8 +156,7 @@ Walk crossed(Walk walk, CloudCrossing span, AirRay of, SunOnSpan sun) {
   m.stretch = nothing_gathered(walk.transmittance);
   m.part = empty_part();
   float part_length = length_of_parts(of.direction, span.from);
-  uint begins = m.t < span.to ? 1u : 0u;
-  for (uint turn = 0u; turn < begins; turn++) {
+  if (m.t < span.to) {
     vec3 place = cloud_place(scene.planet.ground_radius, cloud(), scene.camera.altitude, of.direction, m.t);
     Water water = water_on_ray(place, m.t);
     m.near = water.extinction;
@@ -173,22 +169,21 @@ Walk crossed(Walk walk, CloudCrossing span, AirRay of, SunOnSpan sun) {
     CloudParts parts;
     parts.count = 0u;
     while (goes_on && sheets.count < kMostSheets && parts.count < kMostParts && m.t < span.to) {
-      uint found = next_step(m, of, span.to) ? 1u : 0u;
-      for (uint turn = 0u; turn < found; turn++) {
+      bool found = next_step(m, of, span.to);
+      if (found) {
         take_step(m, of, sun);
       }
-      goes_on = found > 0u && m.turns < kMostTurns && m.stretch.transmittance > kOpaque;
+      goes_on = found && m.turns < kMostTurns && m.stretch.transmittance > kOpaque;
       bool begun = m.stretch.before > m.stretch.transmittance;
       bool ends = !goes_on || m.t >= span.to || m.t - m.start > kSheet * m.t + step;
-      uint closes = begun && ends ? 1u : 0u;
-      uint parted = m.part.taken > 0.0 && (closes > 0u || m.t - m.part.from > part_length) ? 1u : 0u;
-      for (uint turn = 0u; turn < parted; turn++) {
+      bool closes = begun && ends;
+      if (m.part.taken > 0.0 && (closes || m.t - m.part.from > part_length)) {
         parts.of[parts.count] = m.part;
         parts.of[parts.count].sheet = sheets.count;
         parts.count++;
         m.part = empty_part();
       }
-      for (uint turn = 0u; turn < closes; turn++) {
+      if (closes) {
         sheets.of[sheets.count] = m.stretch;
         sheets.count++;
         m.stretch = nothing_gathered(m.stretch.transmittance);
@@ -232,12 +227,16 @@ vec3 light_past(PastCloud past, vec3 behind) {
 PastCloud past_cloud(AirRay of, float end) {
   Walk walk = begun_walk();
   CloudSpans spans = cloud_spans(scene.planet.ground_radius, cloud(), of.ray.h, of.ray.mu, end);
-  for (uint part = kStretches == 2u ? 1u : 0u; part < (kStretches == 1u ? 1u : 2u); part++) {
-    CloudCrossing span = part == 0u ? spans.first : spans.second;
-    uint crosses = span.from < span.to ? 1u : 0u;
-    for (uint turn = 0u; turn < crosses; turn++) {
-      walk = crossed(walk, span, of, sun_on_span(of.ray, span));
-    }
+  bool nearer = kStretches != 2u && spans.first.from < spans.first.to;
+  bool farther = kStretches != 1u && spans.second.from < spans.second.to;
+  CloudCrossing span = spans.second;
+  if (nearer) {
+    span = spans.first;
+  }
+  uint crossings = (nearer ? 1u : 0u) + (farther ? 1u : 0u);
+  for (uint i = 0u; i < crossings; i++) {
+    walk = crossed(walk, span, of, sun_on_span(of.ray, span));
+    span = spans.second;
   }
   PastCloud past;
   past.sent = walk.light * scene.sun.irradiance;
@@ -251,8 +250,7 @@ PastCloud past_cloud(AirRay of, float end) {
   past.reach = walk.reach / max(1.0 - walk.transmittance, 1e-6);
 #endif
   bool known = kAirByRay == 0u && kShowsAirAlone && !of.ray.at_ground;
-  uint seen = past.through > 0.0 && (!known || kFurther == 1u) ? 1u : 0u;
-  for (uint turn = 0u; turn < seen; turn++) {
+  if (past.through > 0.0 && (!known || kFurther == 1u)) {
     Stop stop = stop_at(walk, of, end);
     vec3 air = walk.seen + max(stop.before.light - walk.air, vec3(0.0)) * past.through;
     // The picture of a further field has the air shaded, and the ground lit, by all of them.
@@ -260,8 +258,7 @@ PastCloud past_cloud(AirRay of, float end) {
     past.air = air / max(had, vec3(1e-20));
     past.taken = (had - stop.before.light + walk.air) * scene.sun.irradiance;
 #if !defined(AIRLIGHT_THINGS) && !defined(AIRLIGHT_CLOUD_SPANS)
-    uint grounds = kFurther == 0u && of.ray.at_ground ? 1u : 0u;
-    for (uint ground = 0u; ground < grounds; ground++) {
+    if (kFurther == 0u && of.ray.at_ground) {
       vec3 more = stop.before.transmittance * ground_change(of.ray, of.direction) * scene.sun.irradiance;
       past.taken -= more;
 #ifdef AIRLIGHT_CLOUD_APART
@@ -270,8 +267,7 @@ PastCloud past_cloud(AirRay of, float end) {
     }
 #endif
   }
-  uint airs = past.through > 0.0 && known && kFurther == 0u ? 1u : 0u;
-  for (uint turn = 0u; turn < airs; turn++) {
+  if (past.through > 0.0 && known && kFurther == 0u) {
     past.share = share_by_froxels(of, end);
   }
   return past;

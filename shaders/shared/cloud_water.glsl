@@ -23,9 +23,7 @@ Water water_on_ray(vec3 place, float t) {
   vec2 mean = water_at(place);
   water.extinction = mean.x;
   water.inside = mean.y;
-  // As a loop: a processor runs the code of a branch that none takes, but no turn of a loop.
-  uint turns = kCarved == 1u && t < kCarvedRange.y ? 1u : 0u;
-  for (uint turn = 0u; turn < turns; turn++) {
+  if (kCarved == 1u && t < kCarvedRange.y) {
     float fine = carved_extinction(place, mean.y, 1.0 - smoothstep(kFinerRange.x, kFinerRange.y, t));
     water.extinction = mix(fine, mean.x, smoothstep(kCarvedRange.x, kCarvedRange.y, t));
   }

@@ -74,8 +74,7 @@ BodiesHeld bodies_held(vec3 direction, float reach, bool tells_even) {
     held.edge = held.edge || (off < 0.6 * reach && off > -reach);
     held.mirror = held.mirror || (ball_of_body(i).material == kSphereMirror && off < 0.0);
   }
-  uint mirrors = tells_even && held.mirror && !held.edge ? 1u : 0u;
-  for (uint turn = 0u; turn < mirrors; turn++) {
+  if (tells_even && held.mirror && !held.edge) {
     BodyHit hit = nearest_body(vec3(0.0), direction, kNoBody);
     held.mirror = !hit.hit || !mirrors_evenly(hit, direction, reach);
   }
