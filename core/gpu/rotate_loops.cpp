@@ -106,8 +106,8 @@ std::optional<Places> places_of(const Instruction& of) {
 // A loop by the places of its blocks.
 struct Loop {
   std::size_t header;
-  std::size_t test_end;   // the last block of the test, which begins behind the header
-  std::size_t proceeds;   // the block where a turn is done: the one that branches to the header
+  std::size_t test_end;  // the last block of the test, which begins behind the header
+  std::size_t proceeds;  // the block where a turn is done: the one that branches to the header
   std::size_t merge;
 };
 
@@ -201,7 +201,10 @@ Blocks Function::copy(std::size_t first, std::size_t last) {
 
 // Returns the header's place among the new blocks, which are
 //   before -> guard -> header -> body -> the turn's end, test -> header, or exit -> merge
-// The test stands in the guard and in the turn's end; what left the loop for `merge` leaves it for `exit`.
+// The test stands in the guard and at the turn's end; what left the loop for `merge` leaves it for `exit`. Where
+// nothing goes on early, the turn's end becomes a part of the body, with a block behind the test to go on by: an
+// optimiser that joins blocks would make one of body, turn's end and header, which SPIR-V refuses where the test has
+// several blocks.
 std::size_t Function::rotate(const Loop& loop) {
   const Id header = label_of(blocks_[loop.header]);
   const Id merge = label_of(blocks_[loop.merge]);
@@ -225,6 +228,14 @@ std::size_t Function::rotate(const Loop& loop) {
   }
   for (std::size_t i = loop.test_end + 1; i < loop.merge; i++) lead_elsewhere(blocks_[i], merge, exit);
   Block& head = blocks_[loop.header];
+  const Id proceeds = head[1][2];
+  const bool joins = std::ranges::count_if(blocks_, [&](const Block& of) { return leads_to(of, proceeds); }) < 2;
+  if (joins) {
+    const Id next = bound_++;
+    lead_elsewhere(test.back(), header, next);
+    test.push_back({instruction(spv::OpLabel, {next}), instruction(spv::OpBranch, {header})});
+    head[1][2] = next;
+  }
   head[1][1] = exit;
   head[2][1] = body;
   blocks_[loop.proceeds].back() = instruction(spv::OpBranch, {label_of(test.front())});
@@ -276,6 +287,7 @@ std::vector<std::uint32_t> rotate_loops(std::span<const std::uint32_t> spirv) {
       blocks.back().push_back(std::move(of));
     }
   }
+  if (!blocks.empty()) throw std::logic_error("the SPIR-V is cut off");
   words[kBound] = bound;
   return words;
 }

@@ -1,13 +1,13 @@
 #pragma once
-// Loops of a SPIR-V module that test before each turn, turned into loops that test after it [loop rotation, as compilers
-// call it]:
+// Loops of a SPIR-V module that test before each turn, turned into loops that test after it [loop rotation, as
+// compilers call it]:
 //
 //   loop { if (!goes_on) break; body }   ->   if (goes_on) loop { body; if (!goes_on) break; }
 //
 // A device without branches of its own, which runs lanes side by side under a mask, leaves a loop where a turn ends, if
 // then no lane is left. What stands behind a test at the turn's start is therefore run once more for lanes that are all
-// masked: a loop of n turns costs n + 1, and nested ones multiply. A loop that tests at its end costs n, or 1 where n is
-// 0. core/METHODS.md has what it gains.
+// masked: a loop of n turns costs n + 1, and nested ones multiply. A loop that tests at its end costs n, or 1 where n
+// is 0. core/METHODS.md has what it gains.
 
 #include <cstdint>
 #include <span>
