@@ -201,10 +201,10 @@ Blocks Function::copy(std::size_t first, std::size_t last) {
 
 // Returns the header's place among the new blocks, which are
 //   before -> guard -> header -> body -> the turn's end, test -> header, or exit -> merge
-// The test stands in the guard and at the turn's end; what left the loop for `merge` leaves it for `exit`. Where
-// nothing goes on early, the turn's end becomes a part of the body, with a block behind the test to go on by: an
-// optimiser that joins blocks would make one of body, turn's end and header, which SPIR-V refuses where the test has
-// several blocks.
+// The test stands in the guard and at the turn's end; what left the loop for `merge` leaves it for `exit`. Where the
+// test has several blocks and nothing goes on early, the turn's end becomes a part of the body, with a block behind the
+// test to go on by: an optimiser that joins blocks would make one of body, turn's end and header, which SPIR-V refuses
+// then.
 std::size_t Function::rotate(const Loop& loop) {
   const Id header = label_of(blocks_[loop.header]);
   const Id merge = label_of(blocks_[loop.merge]);
@@ -229,8 +229,8 @@ std::size_t Function::rotate(const Loop& loop) {
   for (std::size_t i = loop.test_end + 1; i < loop.merge; i++) lead_elsewhere(blocks_[i], merge, exit);
   Block& head = blocks_[loop.header];
   const Id proceeds = head[1][2];
-  const bool joins = std::ranges::count_if(blocks_, [&](const Block& of) { return leads_to(of, proceeds); }) < 2;
-  if (joins) {
+  const auto ways = std::ranges::count_if(blocks_, [&](const Block& of) { return leads_to(of, proceeds); });
+  if (test.size() > 1 && ways < 2) {
     const Id next = bound_++;
     lead_elsewhere(test.back(), header, next);
     test.push_back({instruction(spv::OpLabel, {next}), instruction(spv::OpBranch, {header})});

@@ -115,13 +115,12 @@ void take_step(inout March m, AirRay of, SunOnSpan sun) {
     return;
   }
   bool meets = depth > 0.0;
-  // After a leap the sun's depth at the step's begin is not known: a turn finds it, and the next one takes the step.
-  bool begins = meets && m.near_sun < 0.0;
-  vec3 start = cloud_place(radius, c, scene.camera.altitude, of.direction, m.t);
-  float far_sun = shade_at(begins ? start : end, seen_at(sun, begins ? m.t : m.t + m.size));
-  if (begins) {
-    m.near_sun = far_sun;
-    return;
+  float far_sun = m.near_sun;
+  if (meets) {
+    far_sun = shade_at(end, seen_at(sun, m.t + m.size));
+    if (m.near_sun < 0.0) {
+      m.near_sun = shade_at(cloud_place(radius, c, scene.camera.altitude, of.direction, m.t), seen_at(sun, m.t));
+    }
   }
   float shade = abs(far_sun - m.near_sun);
   if (meets && shade > kSunStep && min(m.near_sun, far_sun) < kShaded && m.size > least) {
@@ -136,7 +135,7 @@ void take_step(inout March m, AirRay of, SunOnSpan sun) {
     m.stretch = with_cloud_step(m.stretch, phase_behind(of.at.nu, passed), m.near_sun, far_sun, depth, t);
     m.part = with_step_of_part(m.part, m.t, before - m.stretch.transmittance, t);
   }
-  m.near_sun = far_sun;
+  m.near_sun = meets ? far_sun : -1.0;
   m.near = water.extinction;
   m.near_inside = water.inside;
   m.t += m.size;
