@@ -1,4 +1,4 @@
-// rotate_loops FILE.spv: writes the module with its loops turned over itself (core/gpu/rotate_loops.h).
+// rotate_loops FILE.spv: rotates the loops of the file's module (core/gpu/rotate_loops.h).
 
 #include "core/gpu/rotate_loops.h"
 
@@ -8,6 +8,7 @@
 #include <exception>
 #include <fstream>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 

@@ -1,6 +1,6 @@
 #pragma once
-// Loops of a SPIR-V module that test before each turn, turned into loops that test after it [loop rotation, as
-// compilers call it]:
+// Makes loops that test after each turn of those of a SPIR-V module that test before it [loop rotation, as compilers
+// call it]:
 //
 //   loop { if (!goes_on) break; body }   ->   if (goes_on) loop { body; if (!goes_on) break; }
 //
@@ -15,9 +15,9 @@
 
 namespace airlight {
 
-// A module for Vulkan as a compiler writes it: values that live on from block to block stand in variables. Loops that
-// are to be unrolled are left alone, since the unroller looks for tests at their start; so are loops whose test holds
-// another loop or leaves on several ways. Throws std::logic_error on words that are not SPIR-V.
+// Takes a module for Vulkan as a compiler writes it: values that live on from block to block stand in variables. Loops
+// that are to be unrolled are left alone, since the unroller looks for tests at their start; so are loops whose test
+// holds another loop or leaves on several ways. Throws std::logic_error on words that are not SPIR-V.
 std::vector<std::uint32_t> rotate_loops(std::span<const std::uint32_t> spirv);
 
 }  // namespace airlight

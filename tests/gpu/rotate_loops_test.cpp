@@ -36,7 +36,7 @@ TEST(RotateLoops, LeaveWhatLoopsComputeAsItWas) {
 
 struct Loops {
   std::size_t all = 0;
-  std::size_t test_first = 0;  // their header, or the block it leads to, leaves them or goes into a body
+  std::size_t test_first = 0;  // the first branch of two ways, in the header or the block behind it, leaves the loop
 };
 
 // Loops to be unrolled do not count.
