@@ -137,10 +137,10 @@ BufferId add_corners(Plan& plan, const Part& part, const View& view, const Thing
   plan.add_pass({.shader = "thing_corners",
                  .reads = things.reads,
                  .writes = {{"corners_out", corners}},
-                 .grid = grid,
+                 .grid = {(grid.width + 1) / 2, (grid.height + 1) / 2, 1},
                  .push_constants = {grid.width, grid.height},
                  .specialization = std::move(constants),
-                 .cost = 25.0});
+                 .cost = 50.0});
   return corners;
 }
 
@@ -303,33 +303,84 @@ ThingPass pass_of(Plan& plan, const Part& part, const View& view, const Light& l
   return pass;
 }
 
-// Passes over the blocks of the sky alone, over those that are simple, and over all others.
-void add_by_blocks(Plan& plan, const PassDesc& pass, BufferId tiles, bool terrain) {
-  struct Kind {
-    std::uint32_t tiles;
-    const char* name;
-    double cost;  // together they are predicted to cost what one pass over all blocks does
-  };
-  for (const Kind& kind : {Kind{physics::kTilesOfSky, "sky", 0.1}, Kind{physics::kTilesOfThings, "things", 0.6},
-                           Kind{physics::kTilesExact, "things_exact", 0.3}}) {
-    PassDesc one = pass;
-    one.name = kind.name;
-    one.groups = {tiles, 16U * (kind.tiles - 1)};
-    const auto value_of = [&](const char* name) -> std::uint32_t& {
-      return std::ranges::find(one.specialization, name, &Specialization::name)->value;
-    };
-    value_of("kTiles") = kind.tiles;
-    if (kind.tiles != physics::kTilesExact) {
-      value_of("kSegments") = 1;  // no mirror shows
-      value_of("kThings") |= terrain ? 0U : physics::kBodiesAside;
-    }
-    if (kind.tiles == physics::kTilesOfSky) {
-      value_of("kEdges") = physics::kEdgesLeftOut;
-    }
-    one.cost = kind.cost * pass.cost;
-    plan.add_pass(std::move(one));
+// The rays of a picture of things by blocks (shaders/shared/thing_list.glsl): blocks of the sky alone, then in two
+// rounds those that are simple and all others.
+class RaysByBlocks {
+ public:
+  // `pass`: over all pixels. `none`: a buffer of at least 8 words, bound where a pass reads none.
+  RaysByBlocks(Plan& plan, PassDesc pass, const ThingPass& found, const Blocks& blocks, std::uint32_t count,
+               bool terrain, BufferId none)
+      : plan_(plan), pass_(std::move(pass)), found_(found), blocks_(blocks), terrain_(terrain), none_(none) {
+    constexpr std::size_t kQuads = std::size_t{16} * 4 * sizeof(float);  // QuadSeen, of a block
+    constexpr std::size_t kUnits = std::size_t{4} * physics::kThingBlock * physics::kThingBlock;  // of a block at most
+    quads_ = plan.add_buffer({.name = "thing_quads", .bytes = kQuads * count, .zeroed = false});
+    units_ = plan.add_buffer({.name = "thing_units", .bytes = 8 * sizeof(std::uint32_t)});
+    list_ = plan.add_buffer({.name = "thing_list", .bytes = sizeof(std::uint32_t) * kUnits * count, .zeroed = false});
   }
-}
+
+  void add(const std::vector<Specialization>& between) {
+    // Costs together are predicted to be what one pass over all blocks costs.
+    add_rays("sky", physics::kTilesOfSky, false, 0.1);
+    add_rays("things", physics::kTilesOfThings, false, 0.2);
+    add_rays("exact", physics::kTilesExact, false, 0.2);
+    add_between("things_between", physics::kTilesOfThings, between);
+    add_between("exact_between", physics::kTilesExact, between);
+    add_rays("things_listed", physics::kTilesOfThings, true, 0.2);
+    add_rays("exact_listed", physics::kTilesExact, true, 0.2);
+  }
+
+ private:
+  void specialize(std::vector<Specialization>& constants, std::uint32_t tiles) const {
+    for (Specialization& one : constants) {
+      if (one.name == "kTiles") one.value = tiles;
+      if (one.name == "kSegments" && tiles != physics::kTilesExact) one.value = 1;  // no mirror shows
+      if (one.name == "kThings" && tiles != physics::kTilesExact && !terrain_) one.value |= physics::kBodiesAside;
+      if (one.name == "kEdges" && tiles == physics::kTilesOfSky) one.value = physics::kEdgesLeftOut;
+    }
+  }
+
+  GroupCount groups_of_blocks(std::uint32_t tiles) const { return {blocks_.tiles, 16U * (tiles - 1)}; }
+
+  void add_rays(const char* name, std::uint32_t tiles, bool listed, double cost) {
+    PassDesc one = pass_;
+    one.name = name;
+    one.shader = "thing_rays";
+    one.groups = listed ? GroupCount{units_, 16U * (tiles - physics::kTilesOfThings)} : groups_of_blocks(tiles);
+    one.reads.push_back({"rays_list", listed ? list_ : none_});
+    one.reads.push_back({"units", listed ? units_ : none_});
+    one.writes.push_back({"quads_out", quads_});
+    one.push_constants.push_back(listed ? 1 : 0);
+    specialize(one.specialization, tiles);
+    one.cost *= cost;
+    plan_.add_pass(std::move(one));
+  }
+
+  void add_between(const char* name, std::uint32_t tiles, std::vector<Specialization> constants) {
+    std::vector<Binding> reads = found_.things.reads;
+    reads.insert(reads.end(), {{"corners", found_.corners}, {"tiles", blocks_.tiles}, {"quads", quads_}});
+    reads.push_back(*std::ranges::find(pass_.reads, "directions", &Binding::name));
+    specialize(constants, tiles);
+    plan_.add_pass({.name = name,
+                    .shader = "thing_between",
+                    .reads = std::move(reads),
+                    .writes = {{"units_out", units_}, {"rays_list_out", list_}, pass_.writes.front()},
+                    .grid = pass_.grid,
+                    .push_constants = {pass_.push_constants[0], pass_.push_constants[1]},
+                    .specialization = std::move(constants),
+                    .cost = 3.0,
+                    .groups = groups_of_blocks(tiles)});
+  }
+
+  Plan& plan_;
+  PassDesc pass_;
+  const ThingPass& found_;
+  Blocks blocks_;
+  bool terrain_;
+  BufferId none_;
+  BufferId quads_;
+  BufferId units_;
+  BufferId list_;
+};
 
 }  // namespace
 
@@ -345,27 +396,21 @@ void add_things_sky(Plan& plan, const Part& part, const View& view, const SkyTar
                 .push_constants = {target.grid.width, target.grid.height, found.steps},
                 .specialization = found.constants,
                 .cost = found.tables ? 40.0 : 3.0 * ray_cost(found.steps)};
-  if (!found.tables) {
+  const bool terrain = part.scene.terrain.has_value();
+  const bool by_blocks = found.tables && (terrain ? !has_cuts(part, view) : view.directions.empty());
+  if (!by_blocks) {
     plan.add_pass(std::move(pass));
     return;
   }
-  const bool terrain = part.scene.terrain.has_value();
-  const bool apart = terrain ? !has_cuts(part, view) : view.directions.empty();
-  const BufferId none = plan.add_buffer(filled_buffer("no_blocks", bytes_of(std::vector<float>(6))));
-  Blocks blocks{.shown = none, .nodes = none, .tiles = none};
-  if (apart) {
-    // Without terrain the air is cheaper to look up than to find between a block's corners.
-    blocks = terrain ? add_known_air(plan, part, view, found, light)
-                     : add_bodies_aside(plan, part, view, found.things, none);
-  }
-  pass.reads.push_back({"tiles", blocks.tiles});
-  pass.reads.push_back({"blocks", blocks.shown});
-  pass.reads.push_back({"nodes", blocks.nodes});
-  if (apart) {
-    add_by_blocks(plan, pass, blocks.tiles, terrain);
-  } else {
-    plan.add_pass(std::move(pass));
-  }
+  // Without terrain the air is cheaper to look up than to find between a block's corners.
+  const BufferId none = plan.add_buffer(filled_buffer("no_blocks", bytes_of(std::vector<float>(8))));
+  const Blocks blocks =
+      terrain ? add_known_air(plan, part, view, found, light) : add_bodies_aside(plan, part, view, found.things, none);
+  pass.reads.insert(pass.reads.end(), {{"tiles", blocks.tiles}, {"blocks", blocks.shown}, {"nodes", blocks.nodes}});
+  std::vector<Specialization> between = block_constants(part, found.things);
+  between.push_back({"kEdges", physics::kEdgesFound});
+  RaysByBlocks(plan, std::move(pass), found, blocks, count_of_blocks(grid_of_blocks(part.scene, view)), terrain, none)
+      .add(between);
 }
 
 ThingsUnderCloud add_things_under_clouds(Plan& plan, const Part& part, const View& view, const SkyTarget& target,

@@ -1,8 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // sky_things.comp by tables: no ray marches.
-#define AIRLIGHT_TILES
-#define AIRLIGHT_BLOCK_AIR
 #include "shared/device.glsl"
 #include "shared/tables.glsl"
 #include "shared/moment_table.glsl"

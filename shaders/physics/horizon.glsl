@@ -146,6 +146,16 @@ real pixel_reach(CameraData camera, uint projection) {
   return 1.5 * tan(camera.half_fov) / (0.5 * height);
 }
 
+// The rays of a pixel whose middle has a level above the horizon, x, and slopes of it per pixel, y and z.
+PixelRays rays_at_level(PlanetData planet, CameraData camera, uint projection, vec3 level) {
+  real edge = air_edge(planet, camera.altitude);
+  real reach = pixel_reach(camera, projection);
+  if (level.x < -reach || level.x > edge + reach) {
+    return one_ray(level.x);
+  }
+  return rays_of_pixel(level.x, level.y, level.z, edge);
+}
+
 // The rays of the pixel around x, y; `direction`: that of its centre.
 PixelRays pixel_rays(PlanetData planet, CameraData camera, uint projection, real x, real y, vec3 direction) {
   const real kHalf = 0.49;  // in pixels; below a half, so as not to cross the cut of a map

@@ -2,6 +2,7 @@
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_EXT_control_flow_attributes : require
 #define UNROLL [[unroll]]  // before a loop: its turns are written out (core/gpu/specialize.cpp)
+#define DONT_UNROLL [[dont_unroll]]
 #define real float
 #define CODE const  // of a constant that C++ wants at compile time
 #include "shared/scene.h"

@@ -33,16 +33,15 @@ LightLayers with_light(LightLayers sum, vec3 light) {
 
 #include "shared/thing_rays.glsl"
 
-ViewRay ray_of_pixel(uvec2 pixel) { return picture_ray(pixel); }
+ViewRay ray_at(uvec2 pixel, vec2 place) { return camera_ray(pixel, place); }
 
 #define PixelSeen LightLayers
 
 PixelSeen nothing_seen() { return empty_layers(); }
 
-PixelSeen ray_seen(ViewRay view, ThingPixel rays, uint ray) {
-  WeightedRay one = ray_of_thing_pixel(here, view, rays, ray);
+PixelSeen ray_seen(ThingRay one) {
   looking = one.direction;
-  return with_share(empty_layers(), gathered_along(ray_direction(looking), rays.spread, rays.bare, steps), one.share);
+  return with_share(empty_layers(), gathered_along(ray_direction(looking), one.spread, one.bare, steps), one.share);
 }
 
 PixelSeen with_seen(PixelSeen sum, PixelSeen one) { return with_share(sum, one, 1.0); }

@@ -22,7 +22,7 @@ void list_block(bool lists, uint kind, uvec2 block, uint all) {
     uint first = atomicAdd(tiles_out.values[tile_count_place(thread + 1u)], count);
     uint groups = tile_group_place(thread + 1u);
     tiles_out.values[groups] = kTileGroups;
-    atomicMax(tiles_out.values[groups + 1u], (first + count - 1u) / kTileGroups + 1u);
+    atomicMax(tiles_out.values[groups + 1u], (first + count - 1u) / (blocks_of_group(thread + 1u) * kTileGroups) + 1u);
     tiles_out.values[groups + 2u] = 1u;
     firsts[thread] = first;
   }

@@ -4,6 +4,9 @@ layout(push_constant, scalar) uniform Push {
   uint width;
   uint height;
   uint steps;
+#ifdef AIRLIGHT_LISTED
+  uint round;  // thing_list.glsl
+#endif
 };
 
 vec3 looking;  // direction of the first part of the ray at hand

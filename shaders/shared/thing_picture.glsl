@@ -50,7 +50,12 @@ void write_light(uvec2 pixel, bool inside, Stokes light, vec3 transmittance) {
 
 #include "shared/thing_rays.glsl"
 
-ViewRay ray_of_pixel(uvec2 pixel) { return pixel_ray(pixel); }
+ViewRay ray_at(uvec2 pixel, vec2 place) {
+  if (kProjection == kProjectionListed) {
+    return ViewRay(directions.values[pixel.x].xyz, true);
+  }
+  return camera_ray(pixel, place);
+}
 
 struct PixelSeen {
   Stokes light;
@@ -68,10 +73,9 @@ PixelSeen nothing_seen() {
 #endif
 }
 
-PixelSeen ray_seen(ViewRay view, ThingPixel rays, uint ray) {
-  WeightedRay one = ray_of_thing_pixel(here, view, rays, ray);
+PixelSeen ray_seen(ThingRay one) {
   looking = one.direction;
-  Gathered found = gathered_along(ray_direction(looking), rays.spread, rays.bare, steps);
+  Gathered found = gathered_along(ray_direction(looking), one.spread, one.bare, steps);
   PixelSeen part = nothing_seen();
   part.light = with_share(part.light, found.light, one.share);
   part.transmittance = one.share * found.transmittance;
@@ -101,4 +105,8 @@ void write_seen(bool inside, PixelSeen seen) {
   write_light(here, inside, seen.light, seen.transmittance);
 }
 
+#ifdef AIRLIGHT_LISTED
+#include "shared/thing_listed.glsl"
+#else
 #include "shared/thing_pixels.glsl"
+#endif

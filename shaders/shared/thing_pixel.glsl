@@ -14,10 +14,12 @@ vec2 mirror_place(uint i) {
   return (vec2(at) + 0.5) / float(kMirrorRays);
 }
 
-vec3 direction_at(uvec2 pixel, vec2 place) {
+ViewRay camera_ray(uvec2 pixel, vec2 place) {
   vec2 at = vec2(pixel + uvec2(scene.tile.x, scene.tile.y)) + place;
-  return view_ray(scene.camera, kProjection, at.x, at.y).direction;
+  return view_ray(scene.camera, kProjection, at.x, at.y);
 }
+
+vec3 direction_at(uvec2 pixel, vec2 place) { return camera_ray(pixel, place).direction; }
 
 // What a pixel, which extends by `reach` from its middle, holds of bodies.
 struct BodiesHeld {
@@ -65,8 +67,7 @@ bool mirrors_evenly(BodyHit hit, vec3 direction, float reach) {
 #endif
 }
 
-// `tells_even`: whether mirrors that show one thing are told from others.
-BodiesHeld bodies_held(vec3 direction, float reach, bool tells_even) {
+BodiesHeld bodies_held(vec3 direction, float reach) {
   BodiesHeld held = BodiesHeld(false, false);
   for (uint i = 0u; i < bodies_before(); i++) {
     float off = angle_from_body(i, direction);
@@ -74,7 +75,7 @@ BodiesHeld bodies_held(vec3 direction, float reach, bool tells_even) {
     held.edge = held.edge || (off < 0.6 * reach && off > -reach);
     held.mirror = held.mirror || (ball_of_body(i).material == kSphereMirror && off < 0.0);
   }
-  if (tells_even && held.mirror && !held.edge) {
+  if (held.mirror && !held.edge) {
     BodyHit hit = nearest_body(vec3(0.0), direction, kNoBody);
     held.mirror = !hit.hit || !mirrors_evenly(hit, direction, reach);
   }
@@ -115,47 +116,104 @@ float bare_before(PixelCorners of, vec3 direction, bool edge) {
   return ground_distance(scene.planet, scene.camera.altitude, direction.y, max(of.nearest - before, 0.0));
 }
 
-struct ThingPixel {
-  PixelRays rays;
+// How a pixel is looked at.
+struct PixelHolds {
   bool edge;     // rays stand on a grid
   bool mirror;   // they stand by mirror_place()
-  uint count;
-  float spread;  // angle between neighbouring rays
+  uint count;    // of rays
+  float spread;  // angle between neighbouring ones
+  vec3 level;    // of its middle above the horizon, and the level's slopes per pixel, where rays stand by the horizon
+};
+
+// How wide a pixel is, and how it lies to the horizon.
+struct PixelSides {
+  vec2 width;  // angles across and from corner to corner
+  vec3 level;
+};
+
+PixelSides sides_of(uvec2 pixel, vec3 middle) {
+  const float kInside = 0.49;  // of the pixel, so as not to cross the cut of a map
+  PixelSides sides = PixelSides(vec2(0.0), vec3(0.0));
+  vec3 before = vec3(0.0);
+  float level_before = 0.0;
+  // Across the pixel, from corner to corner, and down.
+  DONT_UNROLL for (uint i = 0u; i < 6u; i++) {
+    vec2 side = i < 2u ? vec2(1.0, 0.0) : i < 4u ? vec2(1.0) : vec2(0.0, 1.0);
+    vec3 direction = direction_at(pixel, 0.5 + ((i & 1u) == 0u ? -kInside : kInside) * side);
+    float level = above_horizon(scene.planet, scene.camera.altitude, direction);
+    vec3 of = vec3(i == 1u, i == 3u, i == 5u);
+    sides.width += of.xy * length(direction - before);
+    sides.level.yz += of.xz * ((level - level_before) / (2.0 * kInside));
+    before = direction;
+    level_before = level;
+  }
+  sides.level.x = above_horizon(scene.planet, scene.camera.altitude, middle);
+  sides.width /= 2.0 * kInside;
+  return sides;
+}
+
+PixelRays horizon_rays(PixelSides sides) {
+  return rays_at_level(scene.planet, scene.camera, kProjection, sides.level);
+}
+
+PixelHolds holds_alike(PixelSides sides) { return PixelHolds(false, false, 1u, sides.width.x, sides.level); }
+
+PixelHolds holding_edge(PixelHolds holds) {
+  holds.edge = true;
+  holds.count = kEdgeSide * kEdgeSide;
+  holds.spread /= float(kEdgeSide);
+  return holds;
+}
+
+PixelHolds holding_mirror(PixelHolds holds) {
+  holds.mirror = true;
+  holds.count = kMirrorRays;
+  holds.spread /= sqrt(float(kMirrorRays));
+  return holds;
+}
+
+PixelHolds pixel_holds(uvec2 pixel, ViewRay view, PixelSides sides) {
+  PixelHolds holds = holds_alike(sides);
+  if (kProjection == kProjectionListed || kTiles == kTilesOfSky) {
+    return PixelHolds(false, false, 1u, 0.0, vec3(0.0));
+  }
+  BodiesHeld bodies = bodies_held(view.direction, 2.0 * 0.49 * max(sides.width.x, sides.width.y));
+  if (view.inside && (bodies.edge || holds_step(corners_of(pixel)))) {
+    return holding_edge(holds);
+  }
+  if (view.inside && bodies.mirror) {
+    return holding_mirror(holds);
+  }
+  holds.count = kEdges != kEdgesLeftOut ? horizon_rays(sides).count : 1u;
+  return holds;
+}
+
+// One of a pixel's rays.
+struct ThingRay {
+  vec3 direction;
+  float share;   // of the pixel
+  float spread;  // angle to the next
   float bare;    // no terrain before that distance along the ground, km
 };
 
-ThingPixel thing_pixel_of(uvec2 pixel, ViewRay view, bool tells_even) {
-  ThingPixel found;
-  found.rays = rays_at(pixel, view);
-  found.edge = false;
-  found.mirror = false;
-  found.spread = 0.0;
-  found.bare = 0.0;
-  if (kProjection != kProjectionListed && kTiles != kTilesOfSky) {
-    // Within the pixel, so as not to cross the cut of a map.
-    float across = length(direction_at(pixel, vec2(0.99, 0.5)) - direction_at(pixel, vec2(0.01, 0.5)));
-    float corner = length(direction_at(pixel, vec2(0.99, 0.99)) - direction_at(pixel, vec2(0.01, 0.01)));
-    PixelCorners seen = corners_of(pixel);
-    BodiesHeld bodies = bodies_held(view.direction, max(across, corner), tells_even);
-    found.edge = view.inside && (bodies.edge || holds_step(seen));
-    found.mirror = view.inside && bodies.mirror && !found.edge;
-    found.bare = has_terrain() ? bare_before(seen, view.direction, found.edge || found.mirror) : 0.0;
-    float rays_across = found.edge ? float(kEdgeSide) : found.mirror ? sqrt(float(kMirrorRays)) : 1.0;
-    found.spread = across / (0.98 * rays_across);
-  }
-  found.count = found.edge ? kEdgeSide * kEdgeSide : found.mirror ? kMirrorRays : found.rays.count;
-  return found;
-}
+ViewRay ray_at(uvec2 pixel, vec2 place);  // by the includer; `place` from the pixel's upper left corner
 
-ThingPixel thing_pixel(uvec2 pixel, ViewRay view) { return thing_pixel_of(pixel, view, true); }
-
-WeightedRay ray_of_thing_pixel(uvec2 pixel, ViewRay view, ThingPixel of, uint i) {
-  if (!of.edge && !of.mirror) {
-    return weighted_ray(pixel, view, of.rays, i);
-  }
-  WeightedRay ray;
+ThingRay thing_ray(uvec2 pixel, PixelHolds holds, uint i) {
+  ThingRay ray = ThingRay(vec3(0.0), 1.0 / float(holds.count), holds.spread, 0.0);
   vec2 on_grid = (vec2(float(i % kEdgeSide), float(i / kEdgeSide)) + 0.5) / float(kEdgeSide);
-  ray.direction = direction_at(pixel, of.edge ? on_grid : mirror_place(i));
-  ray.share = 1.0 / float(of.count);
+  vec2 place = holds.edge ? on_grid : holds.mirror ? mirror_place(i) : vec2(0.5);
+  bool of_horizon = holds.count > 1u && !holds.edge && !holds.mirror;
+  PixelRay part = PixelRay(0.0, 0.0, 1.0, false);
+  if (kEdges != kEdgesLeftOut && of_horizon) {
+    part = ray_of_pixel(rays_at_level(scene.planet, scene.camera, kProjection, holds.level), i);
+    place += vec2(part.x, part.y);
+    ray.share = part.share;
+  }
+  vec3 direction = ray_at(pixel, place).direction;
+  vec3 held = held_to_side(scene.planet, scene.camera.altitude, direction, part.ground);
+  ray.direction = of_horizon ? held : direction;
+  if (kProjection != kProjectionListed && kTiles != kTilesOfSky && has_terrain()) {
+    ray.bare = bare_before(corners_of(pixel), ray.direction, holds.edge || holds.mirror);
+  }
   return ray;
 }

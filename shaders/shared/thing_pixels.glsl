@@ -2,20 +2,13 @@
 // takes one ray of the list: threads that go through the rays of one pixel each would leave all others waiting.
 // The includer defines:
 //   uint width, height;
-//   ViewRay ray_of_pixel(uvec2 pixel);
-//   struct PixelSeen;                                              what a pixel shows
+//   struct PixelSeen;                                 what a pixel shows
 //   PixelSeen nothing_seen();
-//   PixelSeen ray_seen(ViewRay view, ThingPixel rays, uint ray);   a ray's part of the pixel `here`
+//   PixelSeen ray_seen(ThingRay ray);                 a ray's part of the pixel `here`
 //   PixelSeen with_seen(PixelSeen sum, PixelSeen one);
-//   void write_seen(bool inside, PixelSeen seen);                  the pixel `here`
+//   void write_seen(bool inside, PixelSeen seen);     the pixel `here`
 
 layout(local_size_x = 8, local_size_y = 8) in;
-
-#ifdef AIRLIGHT_TILES
-#include "shared/thing_tiles.glsl"
-// thing_listing.glsl; any buffer where kTiles is kTilesAll
-layout(scalar, set = 0, binding = 33) readonly buffer Tiles { uint values[]; } tiles;
-#endif
 
 const uint kThreads = kThingBlock * kThingBlock;
 // The most rays of a pixel. A thread goes through one ray more at most: a software device ends the loops of a shader
@@ -27,27 +20,11 @@ shared PixelSeen seen[kThreads];         // by the rays of one turn
 
 bool in_picture(uvec2 pixel) { return pixel.x < width && pixel.y < height; }
 
-// The first pixel of the group's block; outside of the picture where there is none.
-uvec2 first_pixel() {
-#ifdef AIRLIGHT_TILES
-  if (kTiles != kTilesAll) {
-    uint i = gl_WorkGroupID.y * kTileGroups + gl_WorkGroupID.x;
-    if (i >= tiles.values[tile_count_place(kTiles)]) {
-      return uvec2(width, height);
-    }
-    uint all = tile_row() * ((before_tile().y + height + kThingBlock - 1u) / kThingBlock);
-    uint block = tiles.values[tile_place(kTiles, i, all)];
-    return first_of_block(uvec2(block & 0xffffu, block >> 16u));
-  }
-#endif
-  return kThingBlock * gl_WorkGroupID.xy;
-}
-
 // The first turn takes the pixels of one ray and lists the rays of the others. One loop goes through all rays, so that
 // the code of a ray stands once: pipelines are made in half the time.
 void main() {
   uint lane = gl_LocalInvocationIndex;
-  uvec2 first = first_pixel();
+  uvec2 first = kThingBlock * gl_WorkGroupID.xy;
   uvec2 own = first + gl_LocalInvocationID.xy;
   if (lane == 0u) {
     listed = kThreads;
@@ -63,8 +40,8 @@ void main() {
   PixelSeen sum = nothing_seen();
   for (uint turn = 0u; turn <= kMostRays; turn++) {
     if (taken) {
-      ViewRay view = ray_of_pixel(here);
-      ThingPixel rays = thing_pixel(here, view);
+      ViewRay view = ray_at(here, vec2(0.5));
+      PixelHolds rays = pixel_holds(here, view, sides_of(here, view.direction));
       inside = turn == 0u ? view.inside : inside;
       if (turn == 0u && rays.count > 1u) {
         begin = atomicAdd(listed, rays.count);
@@ -73,7 +50,7 @@ void main() {
           list[begin - kThreads + i] = lane + kThreads * i;
         }
       } else {
-        seen[lane] = ray_seen(view, rays, ray);
+        seen[lane] = ray_seen(thing_ray(here, rays, ray));
       }
     }
     barrier();

@@ -22,6 +22,8 @@
 layout(constant_id = 36) const uint kSegments = 1u;  // most parts of a ray from mirror to mirror; light beyond is lost
 layout(constant_id = 37) const uint kDiscShows = 1u;  // 1: the disc shows in mirrors
 
+uint met;  // of the ray at hand: what it meets first, and which of the bodies
+
 // `spread`: angle between neighbouring rays. `bare`: no terrain before that distance along the ground.
 Gathered gathered_along(vec3 direction, float spread, float bare, uint steps) {
   Gathered sum = nothing_gathered();
@@ -35,6 +37,7 @@ Gathered gathered_along(vec3 direction, float spread, float bare, uint steps) {
     if (kTiles != kTilesOfSky) {
       hit = nearest_thing_past(scene.planet, sight, left, i == 0u ? bare : 0.0);
     }
+    met = i == 0u ? hit.what + 8u * (hit.which + 1u) : met;
     Ray ray = sight.ray;
     if (hits_thing(hit)) {
       real up_to = optical_length(scene.planet, sight.from.h, sight.track.mu, hit.distance_);

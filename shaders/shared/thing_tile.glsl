@@ -21,3 +21,11 @@ uvec2 block_span(uvec2 block) {
   uvec2 first = first_of_block(block) + uvec2(scene.tile.x, scene.tile.y);
   return min(uvec2(kThingBlock - 1u), uvec2(scene.camera.width, scene.camera.height) - 1u - first);
 }
+
+// Where a ray stands among those of the quads, 2 x 2 places each, of a square of so many: at the first place of a quad
+// in the first half, at the second one in the other half. So all other places lie between rays of the square; of four
+// quads, rays stand at 0, 2, 5 and 7. `last`: of the square's places.
+uvec2 quad_ray(uvec2 quad, uint across, uvec2 last) {
+  uvec2 second = uvec2(quad.x >= across / 2u ? 1u : 0u, quad.y >= across / 2u ? 1u : 0u);
+  return min(2u * quad + second, max(last, 2u * quad));
+}

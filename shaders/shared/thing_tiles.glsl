@@ -1,7 +1,10 @@
-// The list of a tile's blocks of pixels by the pass that renders them (thing_listing.glsl). For each kind it
-// holds three counts of workgroups, one for a block, and the number of blocks. Then come the blocks as x and y of 16
-// bits: of two kinds from the front and from the back of a row as long as there are blocks, of the third in a second
-// one.
+// The list of a tile's blocks of pixels by the pass that renders them (thing_listing.glsl). For each kind it holds
+// three counts of workgroups and the number of blocks. Then come the blocks as x and y of 16 bits: of two kinds from
+// the front and from the back of a row as long as there are blocks, of the third in a second one.
+
+// Blocks of a workgroup: of the sky all pixels of one, of others one in four of their pixels (thing_quads.glsl).
+const uint kTileBlocks = 4u;
+uint blocks_of_group(uint kind) { return kind == kTilesOfSky ? 1u : kTileBlocks; }
 
 const uint kTileGroups = 64u;  // workgroups along x: a device need not take more than 65535 along an axis
 

@@ -307,14 +307,25 @@ bool is_even(const RadianceImage& picture, int x, int y) {
   return most < 0.2;
 }
 
+// Pixels that stand on rays; all others may lie between four of them (shaders/shared/thing_quads.glsl).
+bool stands_on_a_ray(int x, int y) {
+  constexpr std::array<bool, 8> kOnRay{true, false, true, false, false, true, false, true};
+  return kOnRay[static_cast<std::size_t>(x) % 8] && kOnRay[static_cast<std::size_t>(y) % 8];
+}
+
 // How far pixels of a picture are off the same directions listed, which take each its own ray through all code, in
-// order. Pixels whose neighbours differ are left out; of those with an edge, which are means of several rays, some
-// remain.
-std::vector<double> off_listed_rays(Scene scene) {
+// order: of those that stand on rays and of all others. Pixels whose neighbours differ are left out; of those with an
+// edge, which are means of several rays, some remain.
+struct OffListedRays {
+  std::vector<double> on_rays;
+  std::vector<double> between;
+};
+
+OffListedRays off_listed_rays(Scene scene) {
   scene.render.parameters.insert_or_assign("tabulate", std::string("always"));
   scene.image = {101, 43};
   scene.camera.vertical_fov = 14.0 * kDegree;
-  std::vector<double> off;
+  OffListedRays off;
   for (const double azimuth : {0.0, 80.0, 160.0}) {
     scene.camera.azimuth = azimuth * kDegree;
     const RadianceImage picture = render_now(scene).radiance;
@@ -330,11 +341,13 @@ std::vector<double> off_listed_rays(Scene scene) {
       const int x = k % picture.width;
       const int y = k / picture.width;
       if (is_even(picture, x, y)) {
-        off.push_back(std::abs(channel_of(picture, x, y, 1) / rays[3 * static_cast<std::size_t>(k) + 1] - 1.0));
+        (stands_on_a_ray(x, y) ? off.on_rays : off.between)
+            .push_back(std::abs(channel_of(picture, x, y, 1) / rays[3 * static_cast<std::size_t>(k) + 1] - 1.0));
       }
     }
   }
-  std::ranges::sort(off);
+  std::ranges::sort(off.on_rays);
+  std::ranges::sort(off.between);
   return off;
 }
 
@@ -342,13 +355,21 @@ double at_share(const std::vector<double>& sorted, double share) {
   return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size()))];
 }
 
+void print_off(const char* what, const OffListedRays& off) {
+  for (const auto& [name, of] : {std::pair{"on rays", &off.on_rays}, std::pair{"between", &off.between}}) {
+    std::printf("%s, pixels %s: 90 %% within %.2g of each ray's, 95 %% %.2g, 97 %% %.2g\n", what, name,
+                at_share(*of, 0.9), at_share(*of, 0.95), at_share(*of, 0.97));
+  }
+}
+
 TEST(Things, BlocksKnowTheAirOfTheirRays) {
   for (const unsigned int things : {kTerrain, kTerrain | kOcean}) {
-    const std::vector<double> off = off_listed_rays(shore(things));
-    std::printf("air by blocks: 90 %% of pixels within %.5f of each ray's, 95 %% %.5f\n", at_share(off, 0.9),
-                at_share(off, 0.95));
-    EXPECT_LT(at_share(off, 0.9), 0.003) << things;
-    EXPECT_LT(at_share(off, 0.95), 0.006) << things;
+    const OffListedRays off = off_listed_rays(shore(things));
+    print_off("air by blocks", off);
+    for (const std::vector<double>& of : {off.on_rays, off.between}) {
+      EXPECT_LT(at_share(of, 0.9), 0.003) << things;
+      EXPECT_LT(at_share(of, 0.95), 0.006) << things;
+    }
   }
 }
 
@@ -356,11 +377,12 @@ TEST(Things, BlocksKnowTheAirOfTheirRays) {
 // the sky.
 TEST(Things, BlocksAsideOfBodiesAreTheirRays) {
   for (const unsigned int things : {kSpheres, kSpheres | kOcean}) {
-    const std::vector<double> off = off_listed_rays(shore(things));
-    std::printf("aside of bodies: 90 %% of pixels within %.2g of each ray's, 97 %% %.2g\n", at_share(off, 0.9),
-                at_share(off, 0.97));
-    EXPECT_LT(at_share(off, 0.9), 1e-5) << things;
-    EXPECT_LT(at_share(off, 0.97), 1e-3) << things;
+    const OffListedRays off = off_listed_rays(shore(things));
+    print_off("aside of bodies", off);
+    EXPECT_LT(at_share(off.on_rays, 0.9), 1e-5) << things;
+    EXPECT_LT(at_share(off.on_rays, 0.97), 1e-3) << things;
+    EXPECT_LT(at_share(off.between, 0.9), 1.5e-3) << things;
+    EXPECT_LT(at_share(off.between, 0.97), 4e-3) << things;
   }
 }
 
@@ -474,7 +496,7 @@ TEST(Things, LayersSumUpToThePicture) {
         depth = layer.name == "depth" ? &layer : depth;
       }
       const double beauty = channel_of(rendering.radiance, x, y, 1);
-      EXPECT_NEAR(sum, beauty, 5e-4 * beauty) << x << ", " << y;
+      EXPECT_NEAR(sum, beauty, (stands_on_a_ray(x, y) ? 5e-4 : 2e-3) * beauty) << x << ", " << y;
       const auto ray = p.view_ray(p.scene.camera, physics::kProjectionPerspective, x + 0.5, y + 0.5);
       const auto hit = p.nearest_thing(p.scene.planet, p.sight_of(ray.direction), physics::kNoBody);
       ASSERT_NE(depth, nullptr);

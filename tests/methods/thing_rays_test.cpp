@@ -1,0 +1,225 @@
+// Pixels of several rays in pictures of things by tables: the list of rays (shaders/shared/thing_list.glsl).
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/air/scene_block.h"
+#include "core/methods/method.h"
+#include "tests/methods/render_fixture.h"
+#include "tests/methods/spectral_scene.h"
+#include "tests/of_scene.h"
+
+namespace airlight::test {
+namespace {
+
+using physics::Physics;
+
+Sphere ball_in_the_sky(SphereMaterial material, double azimuth, double elevation, double radius) {
+  Sphere sphere;
+  sphere.azimuth = azimuth * kDegree;
+  sphere.elevation = elevation * kDegree;
+  sphere.distance = 0.02;
+  sphere.radius = radius;
+  sphere.material = material;
+  sphere.albedo = {0.6, 0.6, 0.6};
+  return sphere;
+}
+
+// The camera looks up, past the ground and shadows on it.
+Scene sky_with(std::vector<Sphere> balls, ImageSize size) {
+  Scene scene = with_method(earth(), *find_method("orders"));
+  scene.render.parameters.insert_or_assign("tabulate", std::string("always"));
+  scene.sun.elevation = 40.0 * kDegree;
+  scene.sun.azimuth = 200.0 * kDegree;
+  scene.sun.disc.visible = false;
+  scene.bloom.enabled = false;
+  scene.camera.altitude = 0.02;
+  scene.camera.azimuth = 90.0 * kDegree;
+  scene.camera.pitch = 30.0 * kDegree;
+  scene.camera.vertical_fov = 20.0 * kDegree;
+  scene.image = size;
+  scene.spheres = std::move(balls);
+  return scene;
+}
+
+// A pixel's rays in the picture, from its upper left corner.
+std::vector<std::pair<double, double>> places(SphereMaterial material) {
+  std::vector<std::pair<double, double>> found;
+  if (material == SphereMaterial::mirror) {
+    constexpr std::array<int, 8> kRow{2, 5, 4, 1, 6, 3, 7, 0};
+    constexpr std::array<int, 8> kColumn{4, 3, 6, 2, 1, 0, 5, 7};
+    for (std::size_t i = 0; i < 8; ++i) {
+      found.emplace_back((kColumn[i] + 0.5) / 8.0, (kRow[i] + 0.5) / 8.0);
+    }
+    return found;
+  }
+  for (int i = 0; i < 16; ++i) {
+    found.emplace_back((i % 4 + 0.5) / 4.0, (i / 4 + 0.5) / 4.0);
+  }
+  return found;
+}
+
+// What a ray meets: which ball, rock, or what a mirror shows; 0: nothing.
+unsigned int met_by(Physics& p, const Scene& scene, const physics::vec3& view) {
+  const auto sight = p.sight_of(view);
+  const auto hit = p.nearest_thing(p.scene.planet, sight, physics::kNoBody);
+  if (hit.what != p.kMeetsBody) {
+    return hit.what == p.kMeetsTerrain ? 50 : 0;
+  }
+  const auto surface = p.surface_at(p.scene.planet, scene.camera.altitude, sight, hit, 0.0);
+  if (!surface.mirrors) {
+    return hit.which + 1;
+  }
+  const physics::vec3 away = view - surface.normal * (2.0 * physics::dot(view, surface.normal));
+  const auto second =
+      p.sight_from(p.scene.planet, scene.camera.altitude, surface.place.point, away, p.scene.sun.direction);
+  const auto behind = p.nearest_thing(p.scene.planet, second, hit.which);
+  return 100 + (behind.what == p.kMeetsBody ? behind.which + 1 : 0);
+}
+
+struct Means {
+  std::vector<double> mean;  // of a pixel's rays, each found as a listed direction
+  std::vector<bool> uneven;  // they do not all meet the same
+};
+
+Means means_of_rays(const Scene& scene, SphereMaterial material) {
+  const Part part = part_of(scene);
+  Physics p = formulas_of(part.air, part.scene);
+  part.things.put_into(p);
+  const auto at = places(material);
+  std::vector<Direction> directions;
+  Means means;
+  for (int k = 0; k < scene.image.width * scene.image.height; ++k) {
+    std::set<unsigned int> met;
+    for (const auto& [x, y] : at) {
+      const double column = k % scene.image.width + x;
+      const double row = k / scene.image.width + y;
+      const auto view = p.view_ray(p.scene.camera, physics::kProjectionPerspective, column, row).direction;
+      met.insert(met_by(p, scene, view));
+      directions.push_back(angles_of(view));
+    }
+    means.uneven.push_back(met.size() > 1);
+  }
+  const std::vector<float> rays = probe_picture([]() -> Executor& { return executor(); }, scene, directions);
+  for (std::size_t k = 0; k < directions.size() / at.size(); ++k) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      sum += static_cast<double>(rays[3 * (k * at.size() + i) + 1]) / static_cast<double>(at.size());
+    }
+    means.mean.push_back(sum);
+  }
+  return means;
+}
+
+// Pixels whose rays do not all meet the same are the mean of their rays.
+void expect_means(const Scene& scene, SphereMaterial material, int fewest, const std::string& what) {
+  const RadianceImage picture = render_now(scene).radiance;
+  const Means means = means_of_rays(scene, material);
+  int uneven = 0;
+  double worst = 0.0;
+  for (std::size_t k = 0; k < means.mean.size(); ++k) {
+    if (!means.uneven[k]) {
+      continue;
+    }
+    ++uneven;
+    const double here =
+        channel_of(picture, static_cast<int>(k) % picture.width, static_cast<int>(k) / picture.width, 1);
+    worst = std::max(worst, std::abs(here / means.mean[k] - 1.0));
+  }
+  std::printf("%s: %d pixels, %.2g off the means of their rays\n", what.c_str(), uneven, worst);
+  EXPECT_GE(uneven, fewest) << what;
+  EXPECT_LT(worst, 2e-4) << what;
+}
+
+TEST(ThingRays, EdgesAreTheMeanOfSixteen) {
+  for (const ImageSize size : {ImageSize{21, 13}, ImageSize{64, 40}, ImageSize{9, 7}}) {
+    const Scene scene = sky_with({ball_in_the_sky(SphereMaterial::matte, 84.0, 30.0, 0.001),
+                                  ball_in_the_sky(SphereMaterial::matte, 95.0, 33.0, 0.0015)},
+                                 size);
+    expect_means(scene, SphereMaterial::matte, size.width, std::to_string(size.width));
+  }
+}
+
+// A block whose pixels all ask for as many units as a pixel may.
+TEST(ThingRays, ABlockMayBeAllEdges) {
+  std::vector<Sphere> balls;
+  constexpr double kPixel = 20.0 / 16.0;  // degrees
+  for (int i = 0; i < 8; ++i) {
+    for (int j = 0; j < 8; ++j) {
+      balls.push_back(ball_in_the_sky(SphereMaterial::matte, 90.0 + (i - 3.5) * kPixel / std::cos(30.0 * kDegree),
+                                      30.0 + (j - 3.5) * kPixel, 0.02 * 0.45 * kPixel * kDegree));
+    }
+  }
+  expect_means(sky_with(balls, {16, 16}), SphereMaterial::matte, 64, "a block of edges");
+}
+
+// Away from its edge, of which all rays are sixteen, a mirror that shows another ball is the mean of eight.
+TEST(ThingRays, MirrorsAreTheMeanOfEight) {
+  Scene scene = sky_with({ball_in_the_sky(SphereMaterial::mirror, 90.0, 30.0, 0.006),
+                          ball_in_the_sky(SphereMaterial::matte, 290.0, 20.0, 0.004)},
+                         {40, 40});
+  scene.camera.vertical_fov = 24.0 * kDegree;  // within the mirror
+  expect_means(scene, SphereMaterial::mirror, 10, "a mirror");
+}
+
+// A skyline of mountains: all but few pixels that show rock and sky are the mean of sixteen rays.
+TEST(ThingRays, SkylinesAreTheMeanOfSixteen) {
+  Scene scene = sky_with({}, {72, 40});
+  scene.render.parameters.insert_or_assign("volumetric_shadows", std::string("exact"));
+  scene.camera.pitch = 4.0 * kDegree;
+  Terrain terrain;
+  terrain.ridge = Ridge{7, 1.6};
+  terrain.width = 20.0;
+  terrain.bearing = 90.0 * kDegree;
+  terrain.distance = 8.0;
+  terrain.turn = 90.0 * kDegree;
+  terrain.albedo = {0.4, 0.4, 0.4};
+  scene.terrain = terrain;
+  const RadianceImage picture = render_now(scene).radiance;
+  const Means means = means_of_rays(scene, SphereMaterial::matte);
+  int uneven = 0;
+  int off = 0;
+  for (std::size_t k = 0; k < means.mean.size(); ++k) {
+    const double here =
+        channel_of(picture, static_cast<int>(k) % picture.width, static_cast<int>(k) / picture.width, 1);
+    uneven += means.uneven[k] ? 1 : 0;
+    off += means.uneven[k] && std::abs(here / means.mean[k] - 1.0) > 0.03 ? 1 : 0;
+  }
+  std::printf("a skyline: %d pixels, %d of them off the means of their rays\n", uneven, off);
+  EXPECT_GT(uneven, 60);
+  EXPECT_LT(off, uneven / 10);
+}
+
+// A ball fills the picture, the sun beside it: at the terminator light changes most from pixel to pixel.
+TEST(ThingRays, LightThatDiffersIsAskedForItself) {
+  Scene scene = sky_with({ball_in_the_sky(SphereMaterial::matte, 90.0, 30.0, 0.01)}, {61, 45});
+  const RadianceImage picture = render_now(scene).radiance;
+  Physics p = make_physics(scene);
+  std::vector<Direction> directions;
+  for (int k = 0; k < picture.width * picture.height; ++k) {
+    const double x = k % picture.width + 0.5;
+    const double y = k / picture.width + 0.5;
+    directions.push_back(angles_of(p.view_ray(p.scene.camera, physics::kProjectionPerspective, x, y).direction));
+  }
+  const std::vector<float> rays = probe_picture([]() -> Executor& { return executor(); }, scene, directions);
+  double worst = 0.0;
+  int exact = 0;
+  for (int k = 0; k < picture.width * picture.height; ++k) {
+    const double truth = rays[3 * static_cast<std::size_t>(k) + 1];
+    const double off = std::abs(channel_of(picture, k % picture.width, k / picture.width, 1) / truth - 1.0);
+    worst = std::max(worst, off);
+    exact += off < 1e-6 ? 1 : 0;
+  }
+  const double share = exact / static_cast<double>(picture.width * picture.height);
+  std::printf("a terminator: %.4f off at most, %.2f of the pixels are their rays\n", worst, share);
+  EXPECT_LT(worst, 0.01);
+  EXPECT_LT(share, 0.9);  // many lie between rays
+}
+
+}  // namespace
+}  // namespace airlight::test
