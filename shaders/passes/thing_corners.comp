@@ -20,8 +20,14 @@ layout(push_constant, scalar) uniform Push {
 const uint kThreadsAcross = 8u;
 const uint kQuadsAcross = kThingBlock / 2u;
 shared vec2 seen[kThreadsAcross * kThreadsAcross];
+shared vec3 points[kThreadsAcross * kThreadsAcross];
 
-vec2 seen_at(uvec2 corner) {
+struct CornerSeen {
+  vec2 value;
+  vec3 point;  // of ground or terrain; 0: neither is seen
+};
+
+CornerSeen seen_at(uvec2 corner) {
   vec2 at = vec2(corner + uvec2(scene.tile.x, scene.tile.y) - before_tile());
   vec3 direction = view_ray(scene.camera, kProjection, at.x, at.y).direction;
   Sight sight = sight_of(vec3(0.0), direction);
@@ -31,12 +37,14 @@ vec2 seen_at(uvec2 corner) {
     terrain = hit.hit ? hit.distance_ : kNoTerrain;
   }
   bool ground = sight.ray.at_ground && sight.ray.length_ >= 0.0;
+  bool shows = terrain < kNoTerrain || ground;
   vec3 point = direction * (terrain < kNoTerrain ? terrain : sight.before + sight.ray.length_);
   float share = sun_past_bodies(point, scene.sun.seen, scene.sun.angular_radius, kNoBody);
-  // Edges of shadows behind a body are not seen.
+  // A body hides edges of shadows behind it, and has one where it stands in the ground.
   BodyHit body = nearest_body(vec3(0.0), direction, kNoBody);
-  bool shows = (terrain < kNoTerrain || ground) && !(body.hit && body.distance_ < length(point));
-  return vec2(terrain, shows ? share : 1.0);
+  bool hidden = body.hit && !(shows && body.distance_ > length(point));
+  bool lit = shows && !hidden;
+  return CornerSeen(vec2(terrain, hidden ? kBodySeen : lit ? share : 1.0), lit ? point : vec3(0.0));
 }
 
 const float kFartherAlike = 1.02;  // distances of terrain
@@ -58,12 +66,13 @@ void main() {
     uint end = round == 0u ? 1u : alike ? 0u : 4u;
     for (uint k = round; k < end; k++) {
       uvec2 corner = block + uvec2((k & 1u) == 0u ? own.x : other.x, k < 2u ? own.y : other.y);
-      vec2 found = seen_at(corner);
+      CornerSeen found = seen_at(corner);
       if (k == 0u) {
-        seen[lane] = found;
+        seen[lane] = found.value;
+        points[lane] = found.point;
       }
       if (corner.x < width && corner.y < height) {
-        corners_out.values[corner.y * width + corner.x] = found;
+        corners_out.values[corner.y * width + corner.x] = found.value;
       }
     }
     barrier();
@@ -73,7 +82,11 @@ void main() {
     vec2 d = seen[beside + below];
     vec2 least = min(min(a, b), min(c, d));
     vec2 most = max(max(a, b), max(c, d));
-    alike = most.x <= kFartherAlike * least.x && most.y == least.y;
+    vec3 point = points[lane];
+    float wide = max(max(length(points[beside] - point), length(points[lane + below] - point)),
+                     length(points[beside + below] - point));
+    // Between places that are lit alike there may be a small body's shadow.
+    alike = most.x <= kFartherAlike * least.x && most.y == least.y && is_evenly_lit(point, wide);
     for (uint k = 1u; k < (round == 0u && alike ? 4u : 0u); k++) {
       uvec2 corner = block + uvec2((k & 1u) == 0u ? own.x : other.x, k < 2u ? own.y : other.y);
       vec2 share = vec2((k & 1u) == 0u ? 0.0 : along.x, k < 2u ? 0.0 : along.y);

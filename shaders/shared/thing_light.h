@@ -14,6 +14,7 @@ const uint kDimmedFroxels = 1u;
 const uint kDimmedSteps = 2u;
 
 const float kNoTerrain = 1e9f;  // km: a corner of a pixel that sees no terrain
+const float kBodySeen = 2.0f;   // in place of a share of the sun: a corner that sees a body
 
 // Which blocks of kThingBlock x kThingBlock pixels a pass over things renders. Blocks of the sky alone are one pass,
 // where no pixel shows a thing or the ground or needs several rays. A second are others that are simple: over terrain

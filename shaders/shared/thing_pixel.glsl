@@ -27,16 +27,6 @@ struct BodiesHeld {
   bool mirror;  // in which light differs within the pixel
 };
 
-// Whether bodies leave the sun's light as it is, or wholly take it, within `width` of a place.
-bool is_evenly_lit(vec3 point, float width) {
-  float share = 1.0;
-  for (uint i = 0u; i < bodies_before(); i++) {
-    float far = max(length(ball_of_body(i).centre - point), 1e-9);
-    share = min(share, sun_past_body(i, point, scene.sun.seen, scene.sun.angular_radius + width / far));
-  }
-  return share <= 0.0 || share >= 1.0;
-}
-
 // Whether a ball that mirrors shows one thing within a pixel, whose middle ray then is the pixel: the sky, neither near
 // the horizon nor near the sun, or ground of one colour without an edge of a shadow.
 bool mirrors_evenly(BodyHit hit, vec3 direction, float reach) {

@@ -30,3 +30,13 @@ BODY_KINDS(BODY_BUFFER)
 Sight sight_of(vec3 origin, vec3 direction) {
   return sight_from(scene.planet, scene.camera.altitude, origin, direction, scene.sun.direction);
 }
+
+// Whether bodies leave the sun's light as it is, or wholly take it, within `width` of a place.
+bool is_evenly_lit(vec3 point, float width) {
+  float share = 1.0;
+  for (uint i = 0u; i < bodies_before(); i++) {
+    float far = max(length(ball_of_body(i).centre - point), 1e-9);
+    share = min(share, sun_past_body(i, point, scene.sun.seen, scene.sun.angular_radius + width / far));
+  }
+  return share <= 0.0 || share >= 1.0;
+}

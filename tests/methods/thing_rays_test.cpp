@@ -195,6 +195,52 @@ TEST(ThingRays, SkylinesAreTheMeanOfSixteen) {
   EXPECT_LT(off, uneven / 10);
 }
 
+// How far pixels around a ball's shadow on the ground, three pixels high, are off the means of sixteen rays.
+double off_around_a_shadow(double azimuth) {
+  Scene scene = sky_with({ball_in_the_sky(SphereMaterial::matte, 0.0, 8.0, 0.001)}, {640, 360});
+  scene.planet.ground_albedo = {0.2, 0.2, 0.2};
+  scene.spheres.front().distance = 0.01;
+  scene.sun.elevation = 35.0 * kDegree;
+  scene.sun.azimuth = azimuth * kDegree;
+  scene.camera.projection = Projection::equirectangular;
+  scene.camera.altitude = 0.002;
+  scene.camera.azimuth = 0.0;
+  scene.camera.pitch = 0.0;
+  const RadianceImage picture = render_now(scene).radiance;
+  Physics p = make_physics(scene);
+  const auto at = places(SphereMaterial::matte);
+  constexpr int kFirst = 276;
+  constexpr int kEnd = 312;
+  double worst = 0.0;
+  for (int y = 192; y < 202; ++y) {
+    std::vector<Direction> directions;
+    for (int x = kFirst; x < kEnd; ++x) {
+      for (const auto& [right, down] : at) {
+        directions.push_back(
+            angles_of(p.view_ray(p.scene.camera, physics::kProjectionEquirectangular, x + right, y + down).direction));
+      }
+    }
+    const std::vector<float> rays = probe_picture([]() -> Executor& { return executor(); }, scene, directions);
+    for (int x = kFirst; x < kEnd; ++x) {
+      double mean = 0.0;
+      for (std::size_t i = 0; i < at.size(); ++i) {
+        mean += static_cast<double>(rays[3 * (static_cast<std::size_t>(x - kFirst) * at.size() + i) + 1]) / 16.0;
+      }
+      worst = std::max(worst, std::abs(channel_of(picture, x, y, 1) / mean - 1.0));
+    }
+  }
+  return worst;
+}
+
+// Where a shadow ends between four corners that are all lit, pixels are the mean of their rays as well.
+TEST(ThingRays, ShadowsEndWhereTheyDo) {
+  for (double azimuth = 134.2; azimuth < 136.0; azimuth += 0.2) {
+    const double off = off_around_a_shadow(azimuth);
+    std::printf("sun at %.1f: around a shadow %.4f off the mean of rays\n", azimuth, off);
+    EXPECT_LT(off, 0.2) << azimuth;  // a tip between a pixel's own corners is not seen
+  }
+}
+
 // A ball fills the picture, the sun beside it: at the terminator light changes most from pixel to pixel.
 TEST(ThingRays, LightThatDiffersIsAskedForItself) {
   Scene scene = sky_with({ball_in_the_sky(SphereMaterial::matte, 90.0, 30.0, 0.01)}, {61, 45});
