@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// sky_things.comp by tables: no ray marches.
+// sky_things.comp by tables: no ray marches. Pictures by blocks have their own passes (thing_rays.comp).
 #include "shared/device.glsl"
 #include "shared/tables.glsl"
 #include "shared/moment_table.glsl"
