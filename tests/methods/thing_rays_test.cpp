@@ -2,14 +2,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/air/scene_block.h"
 #include "core/methods/method.h"
+#include "tests/methods/listed_rays.h"
 #include "tests/methods/render_fixture.h"
 #include "tests/methods/spectral_scene.h"
 #include "tests/of_scene.h"
@@ -243,16 +246,9 @@ TEST(ThingRays, ShadowsEndWhereTheyDo) {
 
 // A ball fills the picture, the sun beside it: at the terminator light changes most from pixel to pixel.
 TEST(ThingRays, LightThatDiffersIsAskedForItself) {
-  Scene scene = sky_with({ball_in_the_sky(SphereMaterial::matte, 90.0, 30.0, 0.01)}, {61, 45});
+  const Scene scene = sky_with({ball_in_the_sky(SphereMaterial::matte, 90.0, 30.0, 0.01)}, {61, 45});
   const RadianceImage picture = render_now(scene).radiance;
-  Physics p = make_physics(scene);
-  std::vector<Direction> directions;
-  for (int k = 0; k < picture.width * picture.height; ++k) {
-    const double x = k % picture.width + 0.5;
-    const double y = k / picture.width + 0.5;
-    directions.push_back(angles_of(p.view_ray(p.scene.camera, physics::kProjectionPerspective, x, y).direction));
-  }
-  const std::vector<float> rays = probe_picture([]() -> Executor& { return executor(); }, scene, directions);
+  const std::vector<float> rays = listed_rays_of(scene);
   double worst = 0.0;
   int exact = 0;
   for (int k = 0; k < picture.width * picture.height; ++k) {

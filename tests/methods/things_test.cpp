@@ -12,6 +12,7 @@
 #include "core/methods/method.h"
 #include "core/scene/preset.h"
 #include "core/things/ground.h"
+#include "tests/methods/listed_rays.h"
 #include "tests/methods/render_fixture.h"
 #include "tests/methods/spectral_scene.h"
 #include "tests/of_scene.h"
@@ -313,9 +314,8 @@ bool stands_on_a_ray(int x, int y) {
   return kOnRay[static_cast<std::size_t>(x) % 8] && kOnRay[static_cast<std::size_t>(y) % 8];
 }
 
-// How far pixels of a picture are off the same directions listed, which take each its own ray through all code, in
-// order: of those that stand on rays and of all others. Pixels whose neighbours differ are left out; of those with an
-// edge, which are means of several rays, some remain.
+// How far pixels of a picture are off the same directions listed: of those that stand on rays and of all others. Pixels
+// whose neighbours differ are left out; of those with an edge, which are means of several rays, some remain.
 struct OffListedRays {
   std::vector<double> on_rays;
   std::vector<double> between;
@@ -329,14 +329,7 @@ OffListedRays off_listed_rays(Scene scene) {
   for (const double azimuth : {0.0, 80.0, 160.0}) {
     scene.camera.azimuth = azimuth * kDegree;
     const RadianceImage picture = render_now(scene).radiance;
-    Physics p = make_physics(scene);
-    std::vector<Direction> directions;
-    for (int k = 0; k < picture.width * picture.height; ++k) {
-      const double x = k % picture.width + 0.5;
-      const double y = k / picture.width + 0.5;
-      directions.push_back(angles_of(p.view_ray(p.scene.camera, physics::kProjectionPerspective, x, y).direction));
-    }
-    const std::vector<float> rays = probe_picture([]() -> Executor& { return executor(); }, scene, directions);
+    const std::vector<float> rays = listed_rays_of(scene);
     for (int k = 0; k < picture.width * picture.height; ++k) {
       const int x = k % picture.width;
       const int y = k / picture.width;
