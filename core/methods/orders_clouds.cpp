@@ -107,7 +107,7 @@ CloudPicture picture_of_clouds(Plan& plan, const Part& part, const View& view, s
     air = things->air;
     picture.constants.insert(picture.constants.end(), things->constants.begin(), things->constants.end());
   } else {
-    air = add_volume(plan, part.scene, light, table, view).reads();
+    air = add_volume(plan, part.scene, light, table, view, half_angle_of(part.scene, view)).reads();
     add_volume_constants(picture.constants, part.scene, table);
   }
   std::vector<Binding> clear = highest.shade;

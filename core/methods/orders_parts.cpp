@@ -108,9 +108,6 @@ std::uint32_t stokes_of(const Part& part, const View& view) {
   return part.scene.camera.polariser ? physics::kStokesFiltered : physics::kStokesNone;
 }
 
-namespace {
-
-// Of a cone around the camera that holds the picture, radians; pi where the whole table is wanted.
 float half_angle_of(const Scene& scene, const View& view) {
   const Camera& camera = scene.camera;
   if (!view.directions.empty() || scene.render.get<std::string>("tabulate") == "always") {
@@ -133,6 +130,8 @@ float half_angle_of(const Scene& scene, const View& view) {
   }
   return std::numbers::pi_v<float>;
 }
+
+namespace {
 
 // Rays between the true horizon and level see the air from the camera's altitude down: a low camera's are nearly alike.
 // In fog of 20 m so few rows move the error there by 0.013 % of the light at most, with the camera at 2, 10 and 30 m.

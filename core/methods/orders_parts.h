@@ -86,6 +86,9 @@ std::uint32_t froxels_over(int pixels);
 // What the table's EXR says of itself.
 FactorLayout layout_of(const Scene& scene, const FactorTable& table, bool in_colours);
 
+// Of a cone around the camera's axis that holds the picture, radians; pi where the whole table is wanted.
+float half_angle_of(const Scene& scene, const View& view);
+
 // `shader`: sky_factors, or layers_factors with one block more.
 ImageId add_factors(Plan& plan, const std::string& shader, const Scene& scene, const FactorTable& table,
                     const View& view, const Light& light);
@@ -134,7 +137,9 @@ struct Volume {
 // `apart`: light scattered once by each medium, and all other light, in blocks of their own.
 FactorTable volume_table(Part part, bool apart);
 
-Volume add_volume(Plan& plan, const Scene& scene, const Light& light, const FactorTable& table, const View& view);
+// `half_angle`: of a cone around the camera's axis that holds all directions asked for, radians; pi: all there are.
+Volume add_volume(Plan& plan, const Scene& scene, const Light& light, const FactorTable& table, const View& view,
+                  float half_angle);
 
 // The constants of passes that read it.
 void add_volume_constants(std::vector<Specialization>& constants, const Scene& scene, const FactorTable& table);

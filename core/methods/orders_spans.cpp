@@ -1,6 +1,7 @@
 // The air before things by `orders`: a march to each, or an aerial volume (shaders/physics/aerial_volume.glsl).
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 
 #include "core/air/scene_block.h"
@@ -49,7 +50,8 @@ FactorTable volume_table(Part part, bool apart) {
   return apart ? unfolded_table(part) : factor_table(part, part.air.scattering_media(), false, physics::kStokesNone);
 }
 
-Volume add_volume(Plan& plan, const Scene& scene, const Light& light, const FactorTable& table, const View& view) {
+Volume add_volume(Plan& plan, const Scene& scene, const Light& light, const FactorTable& table, const View& view,
+                  float half_angle) {
   const auto slices = static_cast<std::uint32_t>(scene.render.get<int>("aerial_slices"));
   const ImageId volume = plan.add_image({.name = "aerial_volume",
                                          .extent = {table.columns * table.blocks, table.rows(), slices},
@@ -76,10 +78,10 @@ Volume add_volume(Plan& plan, const Scene& scene, const Light& light, const Fact
                  .shader = "aerial_volume",
                  .reads = light.reads(),
                  .writes = {{"volume_out", volume}},
-                 .grid = {table.columns, table.rows(), 1},
-                 .push_constants = {steps},
+                 .grid = {table.rows(), table.columns, 1},
+                 .push_constants = {steps, std::bit_cast<std::uint32_t>(half_angle)},
                  .specialization = std::move(constants),
-                 .team = 8,
+                 .team = 16,
                  .cost = ray_cost(steps * slices)});
   return {volume, extinction, peaks};
 }
@@ -101,7 +103,7 @@ SpanPasses add_spans(Plan& plan, const Part& part, const Spans& spans, const Spa
     const FactorTable table = volume_table(part, false);
     View view;
     view.kept_as = way.kept_as;
-    reads = add_volume(plan, part.scene, light, table, view).reads();
+    reads = add_volume(plan, part.scene, light, table, view, half_angle_of(part.scene, view)).reads();
     constants = medium_specialization(part.air);
     add_volume_constants(constants, part.scene, table);
   } else {

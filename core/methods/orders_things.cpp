@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/air/scene_block.h"
 #include "core/base/error.h"
@@ -184,7 +185,7 @@ std::vector<Specialization> block_constants(const Part& part, const ThingInputs&
 Blocks add_known_air(Plan& plan, const Part& part, const View& view, const ThingPass& pass, const Light& light) {
   constexpr std::size_t kShown = 4 * sizeof(float);                    // ThingBlock
   constexpr std::size_t kNodes = std::size_t{12} * 6 * sizeof(float);  // AirNode
-  constexpr std::uint32_t kThreads = 16;                               // of thing_block_air, a block
+  constexpr std::uint32_t kThreads = 8;                                // a block
   const Extent pixels = grid_of_blocks(part.scene, view);
   const std::uint32_t count = count_of_blocks(pixels);
   const Blocks blocks{.shown = plan.add_buffer({.name = "thing_blocks", .bytes = kShown * count, .zeroed = false}),
@@ -197,9 +198,10 @@ Blocks add_known_air(Plan& plan, const Part& part, const View& view, const Thing
   plan.add_pass({.shader = "thing_blocks",
                  .reads = std::move(reads),
                  .writes = {{"blocks_out", blocks.shown}},
-                 .grid = pixels,
+                 .grid = {kThreads * count, 1, 1},
+                 .push_constants = {count},
                  .specialization = std::move(constants),
-                 .cost = 3.0});
+                 .cost = 25.0});
   reads = light.reads();
   reads.insert(reads.end(), pass.air.air.begin(), pass.air.air.end());
   reads.push_back({"blocks", blocks.shown});
@@ -214,7 +216,7 @@ Blocks add_known_air(Plan& plan, const Part& part, const View& view, const Thing
                  .grid = {kThreads * count, 1, 1},
                  .push_constants = {count},
                  .specialization = std::move(constants),
-                 .cost = 20.0});
+                 .cost = 40.0});
   return blocks;
 }
 
@@ -232,11 +234,17 @@ Blocks add_bodies_aside(Plan& plan, const Part& part, const View& view, const Th
   return blocks;
 }
 
+bool has_mirrors(const Scene& scene) {
+  return std::ranges::count(scene.spheres, SphereMaterial::mirror, &Sphere::material) > 0;
+}
+
 // The air among things by tables.
 ThingsUnderCloud air_among(Plan& plan, const Part& part, const View& view, const Light& light,
                            const ThingInputs& things, const ThingLight& among) {
   ThingsUnderCloud air{.air = {}, .constants = {}, .table = unfolded_table(part)};
-  const Volume volume = add_volume(plan, part.scene, light, air.table, view);
+  // What a mirror shows may stand anywhere.
+  const float half_angle = has_mirrors(part.scene) ? std::numbers::pi_v<float> : half_angle_of(part.scene, view);
+  const Volume volume = add_volume(plan, part.scene, light, air.table, view, half_angle);
   const std::uint32_t shafts = shafts_of(part, view);
   const bool froxels = part.scene.terrain && shafts == physics::kShaftsFroxels;
   const ImageId share = froxels ? add_shafts(plan, part, view, volume, things, air.table) : volume.sources;
@@ -273,7 +281,7 @@ ThingPass pass_of(Plan& plan, const Part& part, const View& view, const Light& l
                  .steps = steps_past_things(part, light),
                  .tables = tables,
                  .air = {}};
-  const bool mirrors = std::ranges::count(part.scene.spheres, SphereMaterial::mirror, &Sphere::material) > 0;
+  const bool mirrors = has_mirrors(part.scene);
   pass.constants.push_back({"kEdges", physics::kEdgesFound});
   pass.constants.push_back({"kTiles", physics::kTilesAll});
   pass.constants.push_back({"kSegments", mirrors ? kMirrorSegments : 1U});

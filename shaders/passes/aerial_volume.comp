@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 // The aerial volume (physics/aerial_volume.glsl): one thread a direction, slice by slice away from the camera,
-// or a team that shares its slices.
+// or a team that shares its slices. Directions that the picture does not ask for hold no light.
 #include "shared/device.glsl"
 #include "shared/tables.glsl"
 #include "shared/moment_table.glsl"
@@ -15,10 +15,13 @@
 #include "shared/sky_table_ray.glsl"
 #include "shared/aerial_volume.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
-layout(constant_id = 27) const uint kTeam = 1u;  // threads a direction: 1, 2, 4 or 8
+layout(local_size_x = 16, local_size_y = 4) in;
+layout(constant_id = 27) const uint kTeam = 1u;  // threads a direction: 1, 2, 4, 8 or 16
 layout(set = 0, binding = 4) uniform writeonly image3D volume_out;
-layout(push_constant, scalar) uniform Push { uint steps; };  // from slice to slice; at least 2
+layout(push_constant, scalar) uniform Push {
+  uint steps;        // from slice to slice; at least 2
+  float half_angle;  // of a cone around the picture's directions: others are not read
+};
 
 // Factors of a stretch of the ray, cut where the planet's shadow begins and ends.
 SkyFactors stretch(Ray ray, ShadowCrossings shadow, float from, float to) {
@@ -87,20 +90,44 @@ SkyFactors before(SkyFactors own, uint part) {
   return factors;
 }
 
+// No texel is left undefined: a lookup multiplies what it does not want by 0, which keeps a NaN.
+void store_nothing(uvec2 texel) {
+  uint blocks = uint(imageSize(volume_out).x) / kSkyColumns;
+  for (uint slice = 0u; slice < kSlices; slice++) {
+    for (uint block = 0u; block < blocks; block++) {
+      store(block, texel, slice, vec3(0.0));
+    }
+  }
+}
+
 void main() {
   uint rows = kGroundRows + kLimbRows + kSkyRows;
-  uvec2 texel = uvec2(gl_GlobalInvocationID.x / kTeam, gl_GlobalInvocationID.y);
+  uvec2 texel = uvec2(gl_GlobalInvocationID.y, gl_GlobalInvocationID.x / kTeam);
   uint part = gl_GlobalInvocationID.x % kTeam;
-  bool inside = texel.x < kSkyColumns && texel.y < rows;
-  if (kTeam == 1u && !inside) {
+  bool in_table = texel.x < kSkyColumns && texel.y < rows;
+  texel = min(texel, uvec2(kSkyColumns, rows) - 1u);
+  bool stores = in_table && texel_is_read(texel, half_angle);
+  if (in_table && !stores && part == 0u) {
+    store_nothing(texel);
+  }
+  if (kTeam == 1u && !stores) {
     return;
   }
-  Ray ray = table_ray(uvec2(min(texel.x, kSkyColumns - 1u), min(texel.y, rows - 1u))).ray;
+  Ray ray = table_ray(texel).ray;
+  ray.length_ = stores ? ray.length_ : 0.0;  // the team takes no steps
   uint first = part * kSlices / kTeam;
   uint last = (part + 1u) * kSlices / kTeam;
   SkyFactors factors = no_air();
   if (kTeam > 1u) {
-    factors = before(gather(factors, ray, texel, first, last, false), part);
+    SkyFactors own = gather(factors, ray, texel, first, last, false);
+    factors = before(own, part);
+    if (kSlices <= kTeam) {
+      factors = joined(factors, own);
+      if (stores && first < last) {
+        store_slice(factors, ray, texel, first);
+      }
+      return;
+    }
   }
-  gather(factors, ray, texel, first, last, inside);
+  gather(factors, ray, texel, first, last, stores);
 }

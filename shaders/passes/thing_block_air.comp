@@ -1,7 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// The air up to what blocks of pixels show, along few rays of each: sixteen threads a block, four of which find it
-// within the block. Where the air between the other rays is not what these find, the block is rendered ray by ray.
+// The air up to what blocks of pixels show, along few rays of each: at its corners, and four within it. Where the air
+// between the others is not what these find, the block is rendered ray by ray. A block has units of four rays, as it
+// shows surfaces, sky or both. Units of sixteen blocks stand in a list, so that no thread waits for those that have few.
 #include "shared/device.glsl"
 #include "shared/tables.glsl"
 #include "shared/moment_table.glsl"
@@ -28,11 +29,18 @@ layout(scalar, set = 0, binding = 43) readonly buffer Blocks { ThingBlock values
 layout(scalar, set = 0, binding = 44) writeonly buffer Nodes { AirNode values[]; } nodes_out;
 layout(push_constant, scalar) uniform Push { uint all; };  // blocks
 
-const uint kLanes = 16u;       // threads of a block
-const uint kCheckSky = kNodes;  // in the middle
-const uint kChecks = kNodes + 1u;  // three up to surfaces: in the middle and a quarter to either side of it
+const uint kLanes = 8u;  // threads of a block
+const uint kBlocks = kThreads / kLanes;
 
-shared AirNode nodes[kThreads];
+// Nodes that are not kept: three up to surfaces, in the middle of the block and a quarter to either side of it, and one
+// to the sky in the middle.
+const uint kChecks = kNodes;
+const uint kCheckSky = kNodes + 3u;
+const uint kFound = kNodes + 4u;
+const uint kUnits = kFound / 4u;  // of a block: up to near surfaces, up to far ones, to the sky, and checks
+shared AirNode nodes[kBlocks * kFound];
+shared uint units[kBlocks * kUnits];
+shared uint unit_count;
 
 // The greatest error of a pixel within a block, as a share of its light. Light of a dark surface in the shade counts
 // as a pixel's, and what the air leaves of a bright one's as well.
@@ -63,28 +71,44 @@ AirNode in_block(uint first, vec2 at) {
   return mixed(mixed(nodes[first], nodes[first + 1u], at.x), mixed(nodes[first + 2u], nodes[first + 3u], at.x), at.y);
 }
 
-// Where a check stands in its block, from -1 to 1 about the middle, and between the two distances from 0 to 1.
-float check_side(uint lane) { return lane <= kChecks ? 0.0 : lane == kChecks + 1u ? 0.5 : -0.5; }
+// Where a node stands in its block, from -1 to 1 about the middle, and between the two distances from 0 to 1.
+float check_side(uint node) { return node == kChecks + 1u ? 0.5 : node == kChecks + 2u ? -0.5 : 0.0; }
 
-uvec2 check_pixel(uint lane, uvec2 span) {
-  vec2 side = vec2(check_side(lane), -check_side(lane));
+uvec2 node_pixel(uint node, uvec2 span) {
+  if (node < kNodes) {
+    return uvec2(node & 1u, (node >> 1u) & 1u) * span;
+  }
+  vec2 side = vec2(check_side(node), -check_side(node));
   return uvec2((0.5 + 0.5 * side) * vec2(span));
+}
+
+float node_distance(ThingBlock block, uint node) {
+  float between = node < kNodesFar ? 0.0 : node < kNodesSky ? 1.0 : 0.5 + 0.8 * check_side(node);
+  float root = mix(sqrt(block.near), sqrt(block.far), between);
+  return root * root;
+}
+
+bool shows_sky(ThingBlock block) { return (block.shows & kShowsSky) != 0u; }
+bool shows_things(ThingBlock block) { return (block.shows & kShowsThings) != 0u; }
+
+bool has_unit(ThingBlock block, uint unit) {
+  return 4u * unit < kNodesSky ? shows_things(block) : 4u * unit >= kChecks || shows_sky(block);
 }
 
 uint kind_of(ThingBlock block, uint own, uvec2 span) {
   vec2 size = vec2(max(span, uvec2(1u)));
-  bool sky = (block.shows & kShowsSky) != 0u;
-  bool things = (block.shows & kShowsThings) != 0u;
+  bool sky = shows_sky(block);
+  bool things = shows_things(block);
   bool exact = (block.shows & kHasExact) != 0u || ((block.shows & kAtGround) != 0u && (sky || !things));
   // Both are asked for: on a software device a branch saves nothing.
-  vec2 middle = vec2(check_pixel(kCheckSky, span)) / size;
+  vec2 middle = vec2(node_pixel(kCheckSky, span)) / size;
   bool sky_known = is_near(in_block(own + kNodesSky, middle), nodes[own + kCheckSky], 1.0, vec3(0.0),
                            block.shadowed > 0.0 ? 1.0 : 0.0);
   bool known = true;
-  for (uint lane = kChecks; lane < kLanes; lane++) {
-    vec2 at = vec2(check_pixel(lane, span)) / size;
-    AirNode found = mixed(in_block(own, at), in_block(own + kNodesFar, at), 0.5 + 0.8 * check_side(lane));
-    known = known && is_near(found, nodes[own + lane], block.far, shaded_surface(), block.shadowed);
+  for (uint node = kChecks; node < kCheckSky; node++) {
+    vec2 at = vec2(node_pixel(node, span)) / size;
+    AirNode found = mixed(in_block(own, at), in_block(own + kNodesFar, at), 0.5 + 0.8 * check_side(node));
+    known = known && is_near(found, nodes[own + node], block.far, shaded_surface(), block.shadowed);
   }
   exact = exact || (sky && !sky_known) || (things && !(known && block.far <= kFarthest * block.near));
   return exact ? kTilesExact : things ? kTilesOfThings : kTilesOfSky;
@@ -100,32 +124,54 @@ AirNode node_along(Sight sight, Ray ray, bool sky) {
   return node;
 }
 
-void main() {
-  uint thread = gl_LocalInvocationIndex;
-  uint lane = thread % kLanes;
-  uint index = (gl_WorkGroupID.x * kThreads + thread) / kLanes;
-  bool mine = index < all;
-  index = min(index, all - 1u);
+void find_node(uint index, uint own, uint node) {
   uvec2 at = uvec2(index % tile_row(), index / tile_row());
   ThingBlock block = blocks.values[index];
-  uvec2 span = block_span(at);
-  uvec2 corner = uvec2(lane & 1u, (lane >> 1u) & 1u);
-  here = first_of_block(at) + (lane >= kNodes ? check_pixel(lane, span) : corner * span);
-  bool sky = lane >= kNodesSky && lane <= kCheckSky;
+  here = first_of_block(at) + node_pixel(node, block_span(at));
+  bool sky = node >= kNodesSky && node < kNodes || node == kCheckSky;
   Sight sight = sight_of(vec3(0.0), picture_ray(here).direction);
   Ray ray = sight.ray;
   if (!sky) {
-    float between = lane < kNodesFar ? 0.0 : lane < kNodesSky ? 1.0 : 0.5 + 0.8 * check_side(lane);
-    float root = mix(sqrt(block.near), sqrt(block.far), between);
-    float distance_ = root * root;
-    float up_to = optical_length(scene.planet, sight.from.h, sight.track.mu, distance_);
+    float up_to = optical_length(scene.planet, sight.from.h, sight.track.mu, node_distance(block, node));
     ray = ray_up_to(scene.planet, sight.from.h, sight.track.mu, ray, up_to);
   }
-  AirNode node = node_along(sight, ray, sky);
-  nodes[thread] = node;
-  if (mine && lane < kNodes) {
-    nodes_out.values[index * kNodes + lane] = node;
+  nodes[own + node] = node_along(sight, ray, sky);
+}
+
+// A ray through a gap that no pixel shows has the air up to the farthest surface.
+AirNode kept_node(ThingBlock block, uint own, uint node) {
+  bool gap = node >= kNodesSky && !shows_sky(block);
+  AirNode found = nodes[own + node - (gap ? kNodesSky - kNodesFar : 0u)];
+  found.extinction *= gap ? block.far : 1.0;
+  return found;
+}
+
+void main() {
+  uint thread = gl_LocalInvocationIndex;
+  uint lane = thread % kLanes;
+  uint place = thread / kLanes;
+  uint first = gl_WorkGroupID.x * kBlocks;
+  bool mine = first + place < all;
+  uint index = min(first + place, all - 1u);
+  ThingBlock block = blocks.values[index];
+  if (thread == 0u) {
+    unit_count = 0u;
   }
   barrier();
-  list_block(mine && lane == 0u, kind_of(block, thread - lane, span), at, all);
+  if (mine && lane < kUnits && has_unit(block, lane)) {
+    units[atomicAdd(unit_count, 1u)] = place * kUnits + lane;
+  }
+  barrier();
+  for (uint i = thread / 4u; i < unit_count; i += kThreads / 4u) {
+    uint unit = units[i];
+    uint of = unit / kUnits;
+    find_node(first + of, of * kFound, unit % kUnits * 4u + (lane & 3u));
+  }
+  barrier();
+  uint own = place * kFound;
+  for (uint node = lane; mine && node < kNodes; node += kLanes) {
+    nodes_out.values[index * kNodes + node] = kept_node(block, own, node);
+  }
+  uvec2 at = uvec2(index % tile_row(), index / tile_row());
+  list_block(mine && lane == 0u, kind_of(block, own, block_span(at)), at, all);
 }

@@ -1,7 +1,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// What the blocks of a picture's pixels show: one block a workgroup. Pixels count that a tile does not hold, so that
-// each tile finds the same of a block.
+// What the blocks of a picture's pixels show: one thread a row of a block. Pixels count that a tile does not hold, so
+// that each tile finds the same of a block.
 #include "shared/device.glsl"
 #include "shared/things.glsl"
 #include "shared/picture_ray.glsl"
@@ -10,13 +10,10 @@
 #include "shared/thing_light.h"
 #include "shared/thing_blocks.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+const uint kThreads = 128u;
+layout(local_size_x = 128) in;
 layout(scalar, set = 0, binding = 43) writeonly buffer Blocks { ThingBlock values[]; } blocks_out;
-
-shared uint near;  // bits of distances, which are ordered as these are
-shared uint far;
-shared uint shadowed;
-shared uint shows;
+layout(push_constant, scalar) uniform Push { uint all; };  // blocks
 
 struct Shown {
   float near;  // of surfaces; farther than any: there is none
@@ -24,6 +21,12 @@ struct Shown {
   float shadowed;
   uint shows;
 };
+
+shared Shown rows[kThreads];
+
+Shown both(Shown a, Shown b) {
+  return Shown(min(a.near, b.near), max(a.far, b.far), max(a.shadowed, b.shadowed), a.shows | b.shows);
+}
 
 Shown with_surface(Shown of, float near_, float far_) {
   of.near = min(of.near, near_);
@@ -51,13 +54,13 @@ Shown with_bodies(Shown of, uvec2 pixel, vec3 direction) {
   return of;
 }
 
-Shown shown_by(uvec2 pixel) {
+Shown shown_by(uvec2 pixel, PixelCorners seen) {
   ViewRay view = picture_ray(pixel);
   Sight sight = sight_of(vec3(0.0), view.direction);
-  PixelCorners seen = corners_of(pixel);
   bool ground = sight.ray.at_ground && sight.ray.length_ >= 0.0;
   bool terrain = seen.farthest < kNoTerrain;  // at all corners
-  Shown of = Shown(1e30, 0.0, 0.0, ground || rays_at(pixel, view).count > 1u ? kAtGround : 0u);
+  bool horizon = rays_at(pixel, view).count > 1u;
+  Shown of = Shown(1e30, 0.0, 0.0, ground || horizon ? kAtGround : 0u);
   if (seen.nearest < kNoTerrain) {
     of = with_surface(of, seen.nearest, terrain ? seen.farthest : seen.nearest);
   }
@@ -66,33 +69,34 @@ Shown shown_by(uvec2 pixel) {
     of = with_surface(of, far_, far_);
   }
   bool body = nearest_body(vec3(0.0), view.direction, kNoBody).hit;
-  of.shows |= ground || terrain || body ? 0u : kShowsSky;
+  of.shows |= (ground && !horizon) || terrain || body ? 0u : kShowsSky;
   return with_bodies(of, pixel, view.direction);
 }
 
 void main() {
-  uvec2 pixel = first_of_block(gl_WorkGroupID.xy) + gl_LocalInvocationID.xy;
-  if (gl_LocalInvocationIndex == 0u) {
-    near = floatBitsToUint(1e30);
-    far = 0u;
-    shadowed = 0u;
-    shows = 0u;
+  uint thread = gl_LocalInvocationIndex;
+  uint row = thread % kThingBlock;
+  uint block = gl_GlobalInvocationID.x / kThingBlock;
+  bool mine = block < all;
+  block = min(block, all - 1u);
+  uvec2 first = first_of_block(uvec2(block % tile_row(), block / tile_row())) + uvec2(0u, row);
+  Shown of = Shown(1e30, 0.0, 0.0, 0u);
+  CornerPair left = corner_pair(first);
+  DONT_UNROLL for (uint k = 0u; k < kThingBlock; k++) {
+    uvec2 pixel = first + uvec2(k, 0u);
+    CornerPair right = corner_pair(pixel + uvec2(1u, 0u));
+    if (mine && is_in_picture(pixel)) {
+      of = both(of, shown_by(pixel, between_pairs(left, right)));
+    }
+    left = right;
   }
+  rows[thread] = of;
   barrier();
-  if (is_in_picture(pixel)) {
-    Shown of = shown_by(pixel);
-    atomicMin(near, floatBitsToUint(of.near));
-    atomicMax(far, floatBitsToUint(of.far));
-    atomicMax(shadowed, floatBitsToUint(of.shadowed));
-    atomicOr(shows, of.shows);
+  if (!mine || row > 0u) {
+    return;
   }
-  barrier();
-  if (gl_LocalInvocationIndex == 0u) {
-    ThingBlock block;
-    block.near = uintBitsToFloat(near);
-    block.far = uintBitsToFloat(far);
-    block.shadowed = uintBitsToFloat(shadowed);
-    block.shows = shows;
-    blocks_out.values[gl_WorkGroupID.y * tile_row() + gl_WorkGroupID.x] = block;
+  for (uint i = 1u; i < kThingBlock; i++) {
+    of = both(of, rows[thread + i]);
   }
+  blocks_out.values[block] = ThingBlock(of.near, of.far, of.shadowed, of.shows);
 }

@@ -80,21 +80,26 @@ struct PixelCorners {
   float most;
 };
 
-PixelCorners corners_of(uvec2 pixel) {
+// A pixel's corners to the left, or its neighbour's, to its right.
+struct CornerPair {
+  vec2 above;
+  vec2 below;
+};
+
+CornerPair corner_pair(uvec2 pixel) {
   uint row = kThingBlock * tile_row() + 1u;
   uvec2 at = pixel + before_tile();
   uint first = at.y * row + at.x;
-  vec2 a = corners.values[first];
-  vec2 b = corners.values[first + 1u];
-  vec2 c = corners.values[first + row];
-  vec2 d = corners.values[first + row + 1u];
-  PixelCorners of;
-  of.nearest = min(min(a.x, b.x), min(c.x, d.x));
-  of.farthest = max(max(a.x, b.x), max(c.x, d.x));
-  of.least = min(min(a.y, b.y), min(c.y, d.y));
-  of.most = max(max(a.y, b.y), max(c.y, d.y));
-  return of;
+  return CornerPair(corners.values[first], corners.values[first + row]);
 }
+
+PixelCorners between_pairs(CornerPair a, CornerPair b) {
+  vec2 least = min(min(a.above, a.below), min(b.above, b.below));
+  vec2 most = max(max(a.above, a.below), max(b.above, b.below));
+  return PixelCorners(least.x, most.x, least.y, most.y);
+}
+
+PixelCorners corners_of(uvec2 pixel) { return between_pairs(corner_pair(pixel), corner_pair(pixel + uvec2(1u, 0u))); }
 
 // Whether the corners see terrain at distances too different to lie on one slope, or ground and terrain with different
 // shares of the sun past bodies.
