@@ -83,6 +83,7 @@ Option size_option(SceneOptions& options) {
 }
 
 Preset chosen_preset(const SceneOptions& options, const std::vector<Override>& further) {
+  keep_values_in(options.no_cache ? std::filesystem::path() : user_cache_folder());
   Preset preset = find_preset(options.preset, options.allow_files);
   apply_changes(preset, options, further);
   return preset;
@@ -103,7 +104,6 @@ DeviceOptions wanted_device(const SceneOptions& options) {
 }
 
 DeviceOnDemand device_on_demand(const SceneOptions& options, std::unique_ptr<Executor>& owner) {
-  keep_values_in(options.no_cache ? std::filesystem::path() : user_cache_folder());
   return [&owner, wanted = wanted_device(options)]() -> Executor& {
     if (!owner) {
       owner = std::make_unique<Executor>(wanted);

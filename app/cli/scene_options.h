@@ -31,7 +31,8 @@ Option size_option(SceneOptions& options);
 // --device, --no-cache.
 std::vector<Option> device_options(SceneOptions& options);
 
-// The preset with the options' changes (apply_changes), not yet judged. Throws InputError.
+// The preset with the options' changes (apply_changes), not yet judged. From now on values are kept for later starts
+// (core/gpu/kept_values.h), unless --no-cache says no. Throws InputError.
 Preset chosen_preset(const SceneOptions& options, const std::vector<Override>& further = {});
 
 // The scene of that preset. Throws InputError.

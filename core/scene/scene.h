@@ -148,7 +148,7 @@ struct Terrain {
   SpectralValue albedo{};  // of the whole terrain, or the factor of the map's colours
   ColourMix mix = kColoursThemselves;
   std::shared_ptr<const TerrainFiles> files;
-  std::shared_ptr<const std::vector<double>> ridge_heights;  // km; null: made when they are asked for
+  std::shared_ptr<const std::vector<float>> ridge_heights;  // km; null: made when they are asked for
 };
 
 // The wind-blown water of a planet.

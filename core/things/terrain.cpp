@@ -5,10 +5,12 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/gpu/kept_values.h"
 
 namespace airlight {
 namespace {
@@ -17,7 +19,7 @@ using physics::HostTerrain;
 using physics::TerrainData;
 
 // Altitude for heights at or below the ground sphere, km: so low that rounding does not lift them above it.
-constexpr double kUnderground = -1e-3;
+constexpr float kUnderground = -1e-3F;
 
 constexpr int kRidgeColumns = 1024;
 constexpr int kRidgeRows = 512;
@@ -121,7 +123,7 @@ std::vector<RidgeColumn> ridge_columns(std::uint32_t seed) {
 }
 
 // A seeded mountain range: heights in km, row by row, 0 at the edges; the highest is the ridge's height.
-std::vector<double> ridge_heights(const Ridge& ridge) {
+std::vector<float> ridge_heights(const Ridge& ridge) {
   constexpr double kFeatures = 9.0;  // of the coarsest octave along the range
   const auto seed = static_cast<std::uint32_t>(ridge.seed);
   const std::vector<RidgeColumn> columns = ridge_columns(seed);
@@ -137,20 +139,23 @@ std::vector<double> ridge_heights(const Ridge& ridge) {
     }
   }
   const double highest = *std::ranges::max_element(heights);
-  for (double& h : heights) {
-    h *= ridge.height / highest;
+  std::vector<float> scaled;
+  scaled.reserve(heights.size());
+  for (const double h : heights) {
+    scaled.push_back(static_cast<float>(h * (ridge.height / highest)));
   }
-  return heights;
+  return scaled;
 }
 
-std::vector<double> heights_of(const Terrain& terrain) {
+std::vector<float> heights_of(const Terrain& terrain) {
   if (terrain.ridge) {
     return terrain.ridge_heights ? *terrain.ridge_heights : *ridge_heights_of(*terrain.ridge);
   }
-  std::vector<double> heights;
+  std::vector<float> heights;
   heights.reserve(terrain.files->heights.size());
   for (const float value : terrain.files->heights) {
-    heights.push_back(terrain.lowest + (terrain.highest - terrain.lowest) * static_cast<double>(value));
+    heights.push_back(
+        static_cast<float>(terrain.lowest + (terrain.highest - terrain.lowest) * static_cast<double>(value)));
   }
   return heights;
 }
@@ -219,8 +224,9 @@ void put_colours(HostTerrain& out, const Terrain& terrain) {
 
 }  // namespace
 
-std::shared_ptr<const std::vector<double>> ridge_heights_of(const Ridge& ridge) {
-  return std::make_shared<const std::vector<double>>(ridge_heights(ridge));
+std::shared_ptr<const std::vector<float>> ridge_heights_of(const Ridge& ridge) {
+  const std::string key = "ridge " + std::to_string(ridge.seed) + " " + shortest(ridge.height);
+  return std::make_shared<const std::vector<float>>(kept_floats(key, [&ridge] { return ridge_heights(ridge); }));
 }
 
 HostTerrain placed_heights(const Terrain& terrain) {
@@ -233,9 +239,9 @@ HostTerrain placed_heights(const Terrain& terrain) {
   t.centre_north = terrain.distance * std::cos(terrain.bearing);
   t.across_east = std::cos(terrain.turn);
   t.across_north = -std::sin(terrain.turn);
-  std::vector<float> heights;
-  for (const double h : heights_of(terrain)) {
-    heights.push_back(static_cast<float>(h > 0.0 ? h : kUnderground));
+  std::vector<float> heights = heights_of(terrain);
+  for (float& h : heights) {
+    h = h > 0.0F ? h : kUnderground;
   }
   append_maxima(t, heights);
   out.heights = std::make_shared<const std::vector<float>>(std::move(heights));

@@ -12,8 +12,8 @@
 
 namespace airlight {
 
-// A ridge's heights for Terrain::ridge_heights.
-std::shared_ptr<const std::vector<double>> ridge_heights_of(const Ridge& ridge);
+// A ridge's heights for Terrain::ridge_heights, kept for later starts (core/gpu/kept_values.h).
+std::shared_ptr<const std::vector<float>> ridge_heights_of(const Ridge& ridge);
 
 // The heights at their place, without albedo and shadow.
 physics::HostTerrain placed_heights(const Terrain& terrain);
