@@ -177,6 +177,7 @@ BandsRequest PictureWriter::bands(const std::optional<ImageSize>& tile, const Re
   return {.tile = tile,
           .picture = request,
           .exposure_first = shown && !diagnostic,
+          .is_last = true,
           .past_faults = shown && diagnostic,
           .sink = [this](const Band& band) { add(band); }};
 }

@@ -113,6 +113,10 @@ RunResult Executor::run(const Plan& plan, const std::function<void(double)>& rep
   return result;
 }
 
+void Executor::free_pictures(bool but_results) {
+  impl_->cache.free_pictures(but_results);
+}
+
 const DeviceInfo& Executor::device() const {
   return impl_->device.info();
 }

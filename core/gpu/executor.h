@@ -82,6 +82,10 @@ class Executor {
   // a submission of its own.
   RunResult run(const Plan& plan, const std::function<void(double done)>& report = {});
 
+  // Frees images and buffers that are no kept tables; a later run makes its own anew. With `but_results` those stay
+  // that the last run's result shows or that are carried to the next; else contents of results are no longer valid.
+  void free_pictures(bool but_results);
+
   const DeviceInfo& device() const;
   MemoryUse memory_use() const;
   // Validation messages seen so far by any executor of this process.

@@ -51,6 +51,13 @@ void ResourceCache::end_run() {
   std::erase_if(resources_, [&](const Resource& r) { return r.key.empty() && r.last_run + kIdleRuns <= run_; });
 }
 
+void ResourceCache::free_pictures(bool but_results) {
+  std::erase_if(resources_, [but_results](const Resource& r) {
+    const bool is_result = r.carried || r.host_readable;
+    return (r.key.empty() || r.carried) && !(but_results && is_result);
+  });
+}
+
 Resource* ResourceCache::find(const std::string& shape, const std::string& key) {
   for (Resource& resource : resources_) {
     const bool is_free = !key.empty() || resource.last_run != run_;
@@ -84,6 +91,8 @@ Resource& ResourceCache::buffer(const BufferDesc& desc, MemoryPlace place) {
   Resource resource;
   resource.shape = shape_of(desc, place);
   resource.key = desc.key;
+  resource.carried = desc.carried;
+  resource.host_readable = desc.host_readable || place == MemoryPlace::readback;
   resource.buffer.emplace(device_, whole_words(desc.bytes), kUsage, place, "buffer " + desc.name);
   return add(std::move(resource));
 }

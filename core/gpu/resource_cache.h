@@ -43,6 +43,8 @@ struct Resource {
   std::uint64_t last_run = 0;
   bool has_layout = false;    // images: the general one, since its first run
   bool has_contents = false;  // kept ones: the contents that the key promises
+  bool carried = false;       // BufferDesc::carried
+  bool host_readable = false;
 
   std::size_t bytes() const { return image ? image->bytes() : buffer->bytes(); }
 };
@@ -59,6 +61,9 @@ class ResourceCache {
 
   Resource& image(const ImageDesc& desc);
   Resource& buffer(const BufferDesc& desc, MemoryPlace place);
+
+  // Frees all but kept tables and, with `but_results`, what the host reads and what is carried to a later run.
+  void free_pictures(bool but_results);
 
   // Whether a kept resource exists with its contents; if so, it stays for the run.
   bool holds(const ImageDesc& desc);

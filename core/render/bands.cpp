@@ -100,6 +100,7 @@ class Bands {
 
   std::optional<TableReads> table_reads_;  // of the first tile's plan, which makes the tables
   bool tables_seen_ = false;
+  bool ran_ = false;              // a plan on the device
   double from_ = 0.0, to_ = 1.0;  // this round's share of the report
 };
 
@@ -160,6 +161,10 @@ std::function<void(double)> Bands::report_of(const Tile& tile) const {
 
 RunResult Bands::run_plan(const Plan& plan, const std::function<void(double)>& report) {
   RunResult result = device_().run(plan, report);
+  ran_ = true;
+  if (request_.is_last && !request_.tile) {
+    device_().free_pictures(true);  // bands would take their room again
+  }
   Timings{out_.passes, out_.host}.add(result);
   if (table_reads_) {
     table_reads_->take(result, out_.tables_statistics, out_.tables);
@@ -298,6 +303,9 @@ void Bands::deliver(InWork& band) {
     band.rows.picture = out_.picture;
     band.rows.left_out = out_.left_out;
     Band rows{band.tile.y, std::move(band.rows)};
+    if (request_.is_last && ran_ && band.tile.y + band.tile.height == scene_.image.height) {
+      device_().free_pictures(false);
+    }
     request_.sink(rows);
   }
 }

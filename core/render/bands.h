@@ -20,6 +20,7 @@ struct BandsRequest {
   std::optional<ImageSize> tile = {};
   RenderRequest picture;            // as of render()
   bool exposure_first = false;      // the bands must have their exposure; one band has it anyway
+  bool is_last = false;             // no picture is to follow soon: what is done with on the device is freed
   bool past_faults = false;         // continue where a band holds values that are no radiance
   std::function<void(Band&)> sink;  // gets bands from the top and may empty them; its exceptions are passed on
 };
