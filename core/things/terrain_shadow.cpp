@@ -90,23 +90,27 @@ std::vector<TerrainShadow> swept(const Sun& sun, double radius, const std::share
   p.terrain_maps = bare;
   const std::vector<std::array<double, 2>> rise = rises(sun, radius, t);
   std::vector<TerrainShadow> shadows(static_cast<std::size_t>(t.shadow_columns) * t.shadow_rows);
+  const auto place = [&](double along, double aside) {
+    const double east = along * t.sunward_east + aside * t.sunward_north;
+    const double north = along * t.sunward_north - aside * t.sunward_east;
+    return std::array{p.map_column(t, east, north), p.map_row(t, east, north)};
+  };
   for (physics::uint j = 0; j < t.shadow_rows; ++j) {
     const double aside = t.shadow_aside + j * t.shadow_texel;
+    const std::array<double, 2> first = place(t.shadow_along, aside);
+    const std::array<double, 2> second = place(t.shadow_along + t.shadow_texel, aside);
     std::array<double, 2> shadow{kNoTerrain, kNoTerrain};  // of the disc's upper and lower limb
     double terrain = kNoTerrain;
+    TerrainShadow* const row_of_table = &shadows[static_cast<std::size_t>(j) * t.shadow_columns];
     for (physics::uint k = t.shadow_columns; k-- > 0;) {
-      const double along = t.shadow_along + k * t.shadow_texel;
       for (std::size_t edge = 0; edge < 2; ++edge) {
         shadow[edge] = std::max(std::max(shadow[edge], terrain) - rise[k][edge], kNoTerrain);
       }
-      const double east = along * t.sunward_east + aside * t.sunward_north;
-      const double north = along * t.sunward_north - aside * t.sunward_east;
-      const double column = p.map_column(t, east, north);
-      const double row = p.map_row(t, east, north);
+      const double column = first[0] + k * (second[0] - first[0]);
+      const double row = first[1] + k * (second[1] - first[1]);
       const bool on_map = column >= 0.0 && row >= 0.0 && column <= t.columns - 1.0 && row <= t.rows - 1.0;
       terrain = on_map ? p.map_height(t, column, row) : kNoTerrain;
-      shadows[static_cast<std::size_t>(j) * t.shadow_columns + k] = {static_cast<float>(shadow[0]),
-                                                                     static_cast<float>(shadow[1])};
+      row_of_table[k] = {static_cast<float>(shadow[0]), static_cast<float>(shadow[1])};
     }
   }
   return shadows;

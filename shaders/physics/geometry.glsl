@@ -19,10 +19,7 @@ real distance_to_top(PlanetData planet, real h, real mu) {
   real gap = planet.atmosphere_height - h;
   real c = max(gap * (2.0 * planet.ground_radius + planet.atmosphere_height + h), 0.0);
   real root = sqrt(r * r * mu * mu + c);
-  if (mu > 0.0) {
-    return c / (root + r * mu);
-  }
-  return root - r * mu;
+  return mu > 0.0 ? c / (root + r * abs(mu)) : root - r * mu;
 }
 
 // Distance to the ground for a direction with meets_ground(); 0 from a start on the ground.
@@ -114,21 +111,21 @@ Ray ray_in_atmosphere(PlanetData planet, real h, real mu, real mu_sun, real nu) 
   ray.at_ground = meets_ground(planet, h, mu);
   ray.falls = ray.at_ground;
   ray.bent = 0.0;
+  bool misses = false;
   if (h > planet.atmosphere_height) {
     AirEntry entry = air_entry(planet, h, mu);
-    if (entry.misses) {
-      return ray;
-    }
+    misses = entry.misses;
     real r_top = planet.ground_radius + planet.atmosphere_height;
-    ray.h = planet.atmosphere_height;
-    ray.mu = clamp(-entry.root / r_top, -1.0, 0.0);
-    ray.mu_sun = clamp(((planet.ground_radius + h) * mu_sun + entry.distance_ * nu) / r_top, -1.0, 1.0);
+    real mu_sun_there = clamp(((planet.ground_radius + h) * mu_sun + entry.distance_ * nu) / r_top, -1.0, 1.0);
+    ray.h = misses ? h : planet.atmosphere_height;
+    ray.mu = misses ? mu : clamp(-entry.root / r_top, -1.0, 0.0);
+    ray.mu_sun = misses ? mu_sun : mu_sun_there;
     ray.at_ground = meets_ground(planet, ray.h, ray.mu);
     ray.falls = ray.at_ground;
   }
   if (ray.at_ground) {
     ray.length_ = distance_to_ground(planet, ray.h, ray.mu);
-  } else {
+  } else if (!misses) {
     ray.length_ = distance_to_top(planet, ray.h, ray.mu);
   }
   return ray;

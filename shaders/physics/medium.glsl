@@ -19,12 +19,8 @@ CODE uint kSmoothProfiles = (1u << kDensityExponential) | (1u << kDensityLorentz
 // The later of two layers, `step` apart, that lies at or below h.
 uint layer_below(MediumData m, real h, uint low, uint step) {
   uint next = low + step;
-  if (step < most_layers() && next < m.layer_count) {
-    if (density_layer(m.first_layer + next).x <= h) {
-      return next;
-    }
-  }
-  return low;
+  bool is_there = step < most_layers() && next < m.layer_count;
+  return is_there && density_layer(m.first_layer + (is_there ? next : low)).x <= h ? next : low;
 }
 
 // Piecewise linear between [altitude, density] pairs, constant outside. The search by halves is written out: a loop
@@ -32,9 +28,6 @@ uint layer_below(MediumData m, real h, uint low, uint step) {
 // ends its loops silently. Steps as long as the longest list fold away.
 real layered_density(MediumData m, real h) {
   vec2 first = density_layer(m.first_layer);
-  if (h <= first.x) {
-    return first.y;
-  }
   uint k = layer_below(m, h, 0u, 128u);  // half of kMaxDensityLayers
   k = layer_below(m, h, k, 64u);
   k = layer_below(m, h, k, 32u);
@@ -44,11 +37,10 @@ real layered_density(MediumData m, real h) {
   k = layer_below(m, h, k, 2u);
   k = layer_below(m, h, k, 1u);
   vec2 below = density_layer(m.first_layer + k);
-  if (k + 1u >= m.layer_count) {
-    return below.y;
-  }
-  vec2 above = density_layer(m.first_layer + k + 1u);
-  return below.y + (above.y - below.y) * (h - below.x) / (above.x - below.x);
+  bool is_last = k + 1u >= m.layer_count;
+  vec2 above = density_layer(m.first_layer + (is_last ? k : k + 1u));
+  real between = below.y + (above.y - below.y) * (h - below.x) / (is_last ? 1.0 : above.x - below.x);
+  return h <= first.x ? first.y : is_last ? below.y : between;
 }
 
 // Relative density at altitude h, 1 at the profile's reference.

@@ -125,19 +125,20 @@ real beam_spread(PlanetData planet, real g, real seen_mu, real bending, real der
 real optical_length(PlanetData planet, real h, real mu, real length_) {
   real before = air_entry(planet, h, mu).distance_;
   real inside = length_ - before / optical_scale();
-  if (!bends_light() || inside <= 0.0) {
-    return length_ * optical_scale();
+  real optical = length_ * optical_scale();
+  if (bends_light() && inside > 0.0) {
+    Ray ray = ray_in_atmosphere(planet, h, mu, mu, 1.0);
+    real first = true_altitude(ray.h).stretch;
+    real t = inside / first;
+    // Simpson's rule; each turn leaves a few hundredths of the error.
+    for (uint i = 0u; i < 2u; i++) {
+      real middle = true_altitude(point_on_ray(planet, ray, 0.5 * t).h).stretch;
+      real last = true_altitude(point_on_ray(planet, ray, t).h).stretch;
+      t = inside * 6.0 / (first + 4.0 * middle + last);
+    }
+    optical = before + t;
   }
-  Ray ray = ray_in_atmosphere(planet, h, mu, mu, 1.0);
-  real first = true_altitude(ray.h).stretch;
-  real t = inside / first;
-  // Simpson's rule; each turn leaves a few hundredths of the error.
-  for (uint i = 0u; i < 2u; i++) {
-    real middle = true_altitude(point_on_ray(planet, ray, 0.5 * t).h).stretch;
-    real last = true_altitude(point_on_ray(planet, ray, t).h).stretch;
-    t = inside * 6.0 / (first + 4.0 * middle + last);
-  }
-  return before + t;
+  return optical;
 }
 
 // The inverse of true_altitude(), by Newton's steps.

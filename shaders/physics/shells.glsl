@@ -7,13 +7,9 @@
 // The later of two edges, `step` apart, that lies below h, or at h where the ray rises.
 uint edge_below(real h, bool rising, uint low, uint step) {
   uint next = low + step;
-  if (next + 1u < shell_rows()) {
-    real edge = shell_altitude(next);
-    if (edge < h || (rising && edge == h)) {
-      return next;
-    }
-  }
-  return low;
+  bool is_there = next + 1u < shell_rows();
+  real edge = shell_altitude(is_there ? next : low);
+  return is_there && (edge < h || (rising && edge == h)) ? next : low;
 }
 
 // The first shell of a ray from altitude h. The search by halves is written out as in layered_density().

@@ -37,13 +37,11 @@ RayFoot ray_foot(PlanetData planet, real h, real mu_sun, real mu, real across, r
 const real kSameSun = 1e-4;
 
 real foot_column(RayFoot foot, real cos_azimuth) {
-  if (foot.half_ < kSameSun) {
-    return 0.5 + 0.5 * cos_azimuth;
-  }
   real low = terminator_coordinate(foot.middle - foot.half_);
   real high = terminator_coordinate(foot.middle + foot.half_);
   real at = terminator_coordinate(foot.middle + foot.half_ * cos_azimuth);
-  return clamp((at - low) / (high - low), 0.0, 1.0);
+  bool same = foot.half_ < kSameSun;
+  return same ? 0.5 + 0.5 * cos_azimuth : clamp((at - low) / (same ? 1.0 : high - low), 0.0, 1.0);
 }
 
 // Cosine of the azimuth from the sun's.

@@ -25,14 +25,11 @@ real sun_past_sphere(SphereData s, vec3 point, vec3 sun, real sun_radius) {
   real along = dot(to, sun);
   real apart = atan(length(to - sun * along), along);
   real square = dot(to, to) - s.radius * s.radius;
-  if (square <= 0.0) {
-    return 0.0;
-  }
-  real size = atan(s.radius, sqrt(square));
+  real size = atan(s.radius, sqrt(max(square, 0.0)));
   real ratio = size / max(sun_radius, 1e-9);
   real whole = min(ratio * ratio, 1.0);
   real x = clamp((apart - abs(size - sun_radius)) / (2.0 * max(min(size, sun_radius), 1e-9)), 0.0, 1.0);
-  return 1.0 - whole * (1.0 - x * x * (3.0 - 2.0 * x));
+  return square > 0.0 ? 1.0 - whole * (1.0 - x * x * (3.0 - 2.0 * x)) : 0.0;
 }
 
 // The part of a ray in the sphere's shadow, taken as a cylinder of the sphere's width. At its rim the share of the sun

@@ -111,15 +111,13 @@ struct Interval {
 };
 
 Interval inside(Interval interval, real p, real d, real end) {
-  if (abs(d) < 1e-12) {
-    bool misses = p < 0.0 || p > end;
-    interval.to = misses ? interval.from - 1.0 : interval.to;
-    return interval;
-  }
-  real a = -p / d;
-  real b = (end - p) / d;
-  interval.from = max(interval.from, min(a, b));
-  interval.to = min(interval.to, max(a, b));
+  bool level = abs(d) < 1e-12;
+  bool misses = level && (p < 0.0 || p > end);
+  real a = -p / (level ? 1.0 : d);
+  real b = (end - p) / (level ? 1.0 : d);
+  real to = level ? interval.to : min(interval.to, max(a, b));
+  interval.to = misses ? interval.from - 1.0 : to;
+  interval.from = level ? interval.from : max(interval.from, min(a, b));
   return interval;
 }
 
@@ -147,11 +145,9 @@ real meeting(real start, real middle, real end) {
 
 // End of the cell of 2^level heights in which the line is at `ahead`, just behind s.
 real cell_end(real ahead, real p, real d, real size) {
-  if (abs(d) < 1e-12) {
-    return 1e30;
-  }
+  bool level = abs(d) < 1e-12;
   real cell = floor((p + ahead * d) / size);
-  return ((d > 0.0 ? cell + 1.0 : cell) * size - p) / d;
+  return level ? 1e30 : ((d > 0.0 ? cell + 1.0 : cell) * size - p) / (level ? 1.0 : d);
 }
 
 const uint kMostCells = 2048u;  // that a ray goes through
@@ -226,10 +222,9 @@ real shadow_aside(TerrainData t, real east, real north) {
 // The altitudes up to which terrain hides all of the sun's disc at a place of the table, and from which on it hides
 // nothing.
 vec2 shadow_altitudes(TerrainData t, real along, real aside) {
-  if (along > real(t.shadow_columns - 1u) || aside < 0.0 || aside > real(t.shadow_rows - 1u)) {
-    return vec2(-kNoShadow, -kNoShadow);
-  }
-  along = max(along, 0.0);
+  bool outside = along > real(t.shadow_columns - 1u) || aside < 0.0 || aside > real(t.shadow_rows - 1u);
+  along = clamp(along, 0.0, real(t.shadow_columns - 1u));
+  aside = clamp(aside, 0.0, real(t.shadow_rows - 1u));
   uint i = min(uint(along), t.shadow_columns - 2u);
   uint j = min(uint(aside), t.shadow_rows - 2u);
   real u = along - real(i);
@@ -241,7 +236,7 @@ vec2 shadow_altitudes(TerrainData t, real along, real aside) {
   vec2 d = terrain_shadow(k + t.shadow_columns + 1u);
   real dark = (a.x * (1.0 - u) + b.x * u) * (1.0 - v) + (c.x * (1.0 - u) + d.x * u) * v;
   real whole = (a.y * (1.0 - u) + b.y * u) * (1.0 - v) + (c.y * (1.0 - u) + d.y * u) * v;
-  return vec2(dark, whole);
+  return outside ? vec2(-kNoShadow, -kNoShadow) : vec2(dark, whole);
 }
 
 TerrainHit terrain_hit(PlanetData planet, GroundTrack track) { return terrain_hit_past(planet, track, 0.0); }
@@ -326,9 +321,8 @@ real mean_sunlit(vec2 near, vec2 far, real most) {
   real width = max(0.5 * (near.y + far.y), 0.02 * most);
   real a = clamp(near.x, -most, most + width) / width;
   real b = clamp(far.x, -most, most + width) / width;
-  if (abs(b - a) < 0.05) {
-    real x = clamp(0.5 * (a + b), 0.0, 1.0);
-    return x * x * (3.0 - 2.0 * x);
-  }
-  return (penumbra_integral(b) - penumbra_integral(a)) / (b - a);
+  real x = clamp(0.5 * (a + b), 0.0, 1.0);
+  bool alike = abs(b - a) < 0.05;
+  real mean = (penumbra_integral(b) - penumbra_integral(a)) / (alike ? 1.0 : b - a);
+  return alike ? x * x * (3.0 - 2.0 * x) : mean;
 }
