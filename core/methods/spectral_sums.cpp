@@ -7,6 +7,24 @@
 namespace airlight {
 namespace {
 
+enum class Way : std::uint32_t { adds, first, in_place };  // spectral_sum.comp
+
+void add_sum(Plan& plan, BufferId part, BufferId picture, const std::array<Rgb, 3>& colours, const std::string& suffix,
+             Way way) {
+  constexpr std::uint32_t kRow = 65536;  // of the shader: a device takes 65535 workgroups a row at least
+  const auto count = static_cast<std::uint32_t>(plan.buffers()[picture.index].bytes / (4 * sizeof(float)));
+  std::vector<std::uint32_t> push{count, static_cast<std::uint32_t>(way)};
+  push_colours(push, colours);
+  plan.add_pass({.name = "spectral_sum" + suffix,
+                 .shader = "spectral_sum",
+                 .reads = {{"part", part}},
+                 .writes = {{"picture", picture}},
+                 .grid = {std::min(count, kRow), (count + kRow - 1) / kRow, 1},
+                 .push_constants = std::move(push)});
+}
+
+}  // namespace
+
 void push_colours(std::vector<std::uint32_t>& push, const std::array<Rgb, 3>& colours) {
   for (const Rgb& colour : colours) {
     for (const double channel : colour) {
@@ -14,8 +32,6 @@ void push_colours(std::vector<std::uint32_t>& push, const std::array<Rgb, 3>& co
     }
   }
 }
-
-}  // namespace
 
 void begin_part(Plan& plan, const Part& part, const Tile& tile) {
   std::vector<std::byte> scene = device_scene_bytes(part.air, part.scene, tile);
@@ -54,16 +70,12 @@ ImageId add_colour_table(Plan& plan, const std::string& name, const std::string&
 
 void add_colours(Plan& plan, BufferId buffer, BufferId picture, const std::array<Rgb, 3>& colours,
                  const std::string& suffix, bool first) {
-  constexpr std::uint32_t kRow = 65536;  // of the shader: a device takes 65535 workgroups a row at least
-  const auto count = static_cast<std::uint32_t>(plan.buffers()[picture.index].bytes / (4 * sizeof(float)));
-  std::vector<std::uint32_t> push{count, first ? 1U : 0U};
-  push_colours(push, colours);
-  plan.add_pass({.name = "spectral_sum" + suffix,
-                 .shader = "spectral_sum",
-                 .reads = {{"part", buffer}},
-                 .writes = {{"picture", picture}},
-                 .grid = {std::min(count, kRow), (count + kRow - 1) / kRow, 1},
-                 .push_constants = std::move(push)});
+  add_sum(plan, buffer, picture, colours, suffix, first ? Way::first : Way::adds);
+}
+
+void turn_into_colours(Plan& plan, BufferId picture, const std::array<Rgb, 3>& colours, const std::string& suffix) {
+  const BufferId none = plan.add_buffer_once(filled_buffer("no part", std::vector<std::byte>(4 * sizeof(float))));
+  add_sum(plan, none, picture, colours, suffix, Way::in_place);
 }
 
 }  // namespace airlight

@@ -21,9 +21,15 @@ ImageId add_colour_table(Plan& plan, const std::string& name, const std::string&
                          const std::vector<ImageId>& tables, const std::vector<std::array<Rgb, 3>>& colours,
                          const std::function<TableText()>& text = {});
 
+// Appends `colours` to a pass's push constants.
+void push_colours(std::vector<std::uint32_t>& push, const std::array<Rgb, 3>& colours);
+
 // Adds a buffer of vec4s to one in colours, its channels as these; `suffix`: of the pass's name; `first`: the latter
 // buffer holds nothing so far.
 void add_colours(Plan& plan, BufferId buffer, BufferId picture, const std::array<Rgb, 3>& colours,
                  const std::string& suffix, bool first);
+
+// Turns a buffer of vec4s into one in colours.
+void turn_into_colours(Plan& plan, BufferId picture, const std::array<Rgb, 3>& colours, const std::string& suffix);
 
 }  // namespace airlight

@@ -30,7 +30,9 @@ Picture picture_of(BufferId buffer, const Tile& tile);
 // Adds the sun's disc where the camera can see it. Returns false, and adds nothing, where the disc is switched off,
 // outside the picture or tile, or wholly behind the planet. The disc is seen through the method's transmittance table;
 // where there is none, one is added here.
-bool add_sun_disc(Plan& plan, const Part& part, std::optional<ImageId> transmittance, const Picture& picture);
+// `colours`: what its channels add to the picture's.
+bool add_sun_disc(Plan& plan, const Part& part, std::optional<ImageId> transmittance, const Picture& picture,
+                  const std::array<Rgb, 3>& colours = kAsTheyAre);
 
 // Whether add_sun_disc() would add the disc.
 bool sun_disc_shows(const Scene& scene, const Picture& picture);

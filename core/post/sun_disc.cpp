@@ -5,6 +5,7 @@
 #include "core/air/scene_block.h"
 #include "core/clouds/cloud_depth.h"
 #include "core/luts/luts.h"
+#include "core/methods/spectral_sums.h"
 #include "core/post/disc_parts.h"
 #include "core/post/host_post.h"
 #include "core/post/post.h"
@@ -36,7 +37,8 @@ ImageId add_disc_transmittance(Plan& plan, const Air& air) {
   return add_transmittance(plan, air, kDiscTransmittance);
 }
 
-bool add_sun_disc(Plan& plan, const Part& part, std::optional<ImageId> transmittance, const Picture& picture) {
+bool add_sun_disc(Plan& plan, const Part& part, std::optional<ImageId> transmittance, const Picture& picture,
+                  const std::array<Rgb, 3>& colours) {
   physics::Physics p = geometry_of(part.scene);
   const std::vector<DiscPart> parts = disc_parts(p, part.scene, tile_of(picture));
   if (parts.empty()) {
@@ -64,6 +66,7 @@ bool add_sun_disc(Plan& plan, const Part& part, std::optional<ImageId> transmitt
                            push_constant(box.low.y),
                            push_constant(box.high.x),
                            push_constant(box.high.y)};
+    push_colours(pass.push_constants, colours);
     plan.add_pass(pass);
   }
   return true;

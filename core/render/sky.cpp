@@ -50,9 +50,10 @@ SkyPasses add_parts(Plan& plan, const Stage& stage, const View& view) {
     all.more_tables.insert(all.more_tables.end(), sky.more_tables.begin(), sky.more_tables.end());
   }
   plan.end_scene();
-  all.radiance = plan.add_buffer(radiance_buffer(view, plan.buffers()[pictures.front().index].bytes));
-  for (std::size_t g = 0; g < pictures.size(); ++g) {
-    add_colours(plan, pictures[g], all.radiance, stage.parts()[g].colours, stage.parts()[g].suffix, g == 0);
+  all.radiance = pictures.front();
+  turn_into_colours(plan, all.radiance, stage.parts().front().colours, stage.parts().front().suffix);
+  for (std::size_t g = 1; g < pictures.size(); ++g) {
+    add_colours(plan, pictures[g], all.radiance, stage.parts()[g].colours, stage.parts()[g].suffix, false);
   }
   return all;
 }
@@ -60,18 +61,12 @@ SkyPasses add_parts(Plan& plan, const Stage& stage, const View& view) {
 // A disc a part: air that bends light bends each wavelength by an angle of its own.
 bool add_parted_disc(Plan& plan, const Stage& stage, const std::vector<ImageId>& tables, const Picture& picture,
                      const Tile& tile) {
-  const std::size_t bytes = std::size_t{picture.width} * picture.height * 4 * sizeof(float);
-  std::vector<BufferId> discs;
   for (std::size_t g = 0; g < stage.parts().size(); ++g) {
     const Part& part = stage.parts()[g];
     begin_part(plan, part, tile);
-    discs.push_back(plan.add_buffer({.name = "disc", .bytes = bytes}));
-    add_sun_disc(plan, part, tables.empty() ? std::nullopt : std::optional(tables[g]), picture_of(discs[g], tile));
+    add_sun_disc(plan, part, tables.empty() ? std::nullopt : std::optional(tables[g]), picture, part.colours);
   }
   plan.end_scene();
-  for (std::size_t g = 0; g < discs.size(); ++g) {
-    add_colours(plan, discs[g], picture.buffer, stage.parts()[g].colours, stage.parts()[g].suffix + ", disc", false);
-  }
   return true;
 }
 

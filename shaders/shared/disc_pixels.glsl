@@ -14,6 +14,9 @@ layout(push_constant, scalar) uniform Push {
   uvec2 samples;
   vec2 low;
   vec2 high;
+  vec3 red;  // colours of the channels
+  vec3 green;
+  vec3 blue;
 };
 
 void main() {
@@ -25,5 +28,5 @@ void main() {
   DiscBox box = DiscBox(low, high, samples.x, samples.y);
   vec3 mean = disc_in_pixel(kProjection, float(pixel.x) + 0.5, float(pixel.y) + 0.5, box);
   uvec2 at = pixel - uvec2(scene.tile.x, scene.tile.y);
-  radiance_out.values[at.y * scene.tile.width + at.x] += vec4(mean, 0.0);
+  radiance_out.values[at.y * scene.tile.width + at.x] += vec4(mean.r * red + mean.g * green + mean.b * blue, 0.0);
 }
