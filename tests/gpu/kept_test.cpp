@@ -69,6 +69,29 @@ TEST(Kept, ImagesOutliveOtherPlans) {
   EXPECT_EQ(run(8), 7.0F);
 }
 
+// What a later run finds by its contents stays, and with it what the last result shows.
+TEST(Kept, TablesStayWherePicturesAreFreed) {
+  Executor executor({}, test_shaders());
+  constexpr std::size_t kCount = 16384;
+  Plan plan;
+  const BufferId kept = plan.add_buffer({.name = "numbers", .bytes = 4 * kCount, .key = "key"});
+  const BufferId plain = plan.add_buffer({.name = "plain", .bytes = 4 * kCount});
+  const BufferId copy = plan.add_buffer({.name = "copy", .bytes = 4 * kCount, .host_readable = true});
+  const Extent grid{kCount, 1};
+  plan.add_pass({.shader = "accumulate", .writes = {{"numbers", kept}}, .grid = grid, .push_constants = {5}});
+  plan.add_pass({.shader = "copy_numbers", .reads = {{"source", kept}}, .writes = {{"target", plain}}, .grid = grid});
+  plan.add_pass({.shader = "copy_numbers", .reads = {{"source", plain}}, .writes = {{"target", copy}}, .grid = grid});
+  const RunResult result = executor.run(plan);
+  const std::size_t before = executor.memory_use().bytes;
+  executor.free_pictures(true);
+  EXPECT_EQ(executor.memory_use().bytes + 4 * kCount, before) << "the plain buffer is gone";
+  EXPECT_EQ(values_of<std::uint32_t>(result.contents(copy)), std::vector<std::uint32_t>(kCount, 5));
+  executor.free_pictures(false);
+  EXPECT_EQ(executor.memory_use().bytes, executor.memory_use().kept_bytes);
+  EXPECT_EQ(run_kept(executor, "key", 7, kCount).passes, kCopyAlone);
+  EXPECT_EQ(executor.run(plan).passes.size(), 2U) << "made anew but for the kept one";
+}
+
 // The least recently used resource goes first. The current plan's resources stay, whatever the limit.
 TEST(Kept, IsBounded) {
   constexpr std::size_t kCount = 16384;  // 64 KiB

@@ -18,6 +18,7 @@
 
 #include "core/clouds/cloud_grid.h"
 #include "core/spectra/drops.h"
+#include "core/things/terrain.h"
 
 namespace airlight {
 namespace {
@@ -124,6 +125,16 @@ TEST_F(KeptValues, AFileThatWasChangedIsMadeAnew) {
 }
 
 // All of a field and of its drops, of each kind: made now, as it is written and as it is read back.
+TEST_F(KeptValues, RidgesAreKeptBySeedAndHeight) {
+  const auto one = ridge_heights_of({.seed = 7, .height = 1.6});
+  EXPECT_EQ(*ridge_heights_of({.seed = 7, .height = 1.6}), *one);
+  EXPECT_EQ(files().size(), 1U);
+  EXPECT_FLOAT_EQ(*std::ranges::max_element(*one), 1.6F);
+  EXPECT_NE(*ridge_heights_of({.seed = 8, .height = 1.6}), *one);
+  EXPECT_FLOAT_EQ(*std::ranges::max_element(*ridge_heights_of({.seed = 7, .height = 0.8})), 0.8F);
+  EXPECT_EQ(files().size(), 3U);
+}
+
 TEST_F(KeptValues, FieldsOfCloudsReadBackAreTheSame) {
   using Make = CloudGrid (*)(const Cloud&);
   for (const auto& [kind, make] : {std::pair<CloudKind, Make>(CloudKind::cumulus, cumulus_grid),

@@ -171,5 +171,52 @@ TEST(AerialVolume, AddsUpAlongARay) {
   }
 }
 
+// Among things the volume is made for the directions of the picture alone, and for all where a mirror stands.
+TEST(AerialVolume, HoldsAllThatAPictureAsksFor) {
+  Scene scene = with_method(earth(), *find_method("orders"));
+  scene.planet.ground_albedo = {0.2, 0.2, 0.2};
+  scene.sun.elevation = 20.0 * kDegree;
+  scene.sun.azimuth = 100.0 * kDegree;
+  scene.bloom.enabled = false;
+  scene.camera.altitude = 0.3;
+  scene.image = {96, 64};  // fewer pixels are marched
+  Terrain terrain;
+  terrain.ridge = Ridge{7, 1.6};
+  terrain.width = 20.0;
+  terrain.bearing = 90.0 * kDegree;
+  terrain.distance = 12.0;
+  terrain.albedo = {0.4, 0.4, 0.4};
+  scene.terrain = terrain;
+  const auto expect_all = [&scene](const char* what) {
+    Scene whole = scene;
+    whole.render.parameters.insert_or_assign("tabulate", std::string("always"));
+    EXPECT_EQ(render_now(scene).radiance.rgba, render_now(whole).radiance.rgba) << what;
+  };
+  const auto look = [&scene](double azimuth, double pitch, double fov, Projection projection) {
+    scene.camera.azimuth = azimuth * kDegree;
+    scene.camera.pitch = pitch * kDegree;
+    scene.camera.vertical_fov = fov * kDegree;
+    scene.camera.projection = projection;
+  };
+  look(60.0, -4.0, 40.0, Projection::perspective);
+  expect_all("level");
+  look(281.0, 75.0, 20.0, Projection::perspective);
+  expect_all("up");
+  look(100.0, 3.0, 6.0, Projection::perspective);
+  expect_all("toward the sun");
+  look(10.0, -20.0, 80.0, Projection::fisheye);
+  expect_all("a fisheye");
+  look(90.0, -4.0, 30.0, Projection::perspective);
+  Sphere mirror;
+  mirror.azimuth = 90.0 * kDegree;
+  mirror.elevation = -4.0 * kDegree;
+  mirror.distance = 0.02;
+  mirror.radius = 0.003;
+  mirror.material = SphereMaterial::mirror;
+  mirror.albedo = {0.9, 0.9, 0.9};
+  scene.spheres = {mirror};
+  expect_all("a mirror");
+}
+
 }  // namespace
 }  // namespace airlight::test
