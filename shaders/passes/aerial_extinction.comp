@@ -29,6 +29,14 @@ float slice_end(Ray ray, uint slice) {
   return slice_distance(scene.planet, ray, float(slice) / float(kExtinctionSlices - 1u));
 }
 
+void store(Depths sum, Ray ray, uint row, uint slice, float to) {
+  DiffuseAir start = diffuse_air(densities_at(ray.h), equal_phases(0.0));
+  vec3 mean = to > 0.0 ? sum.depth / to : start.extinction;
+  vec3 peaks = to > 0.0 ? sum.peaks / to : start.peaks;
+  imageStore(extinction_out, ivec2(slice, row), vec4(mean, 1.0));
+  imageStore(peaks_out, ivec2(slice, row), vec4(peaks, 1.0));
+}
+
 // Optical depths up to the end of slices [first, last), given those before them; stores each mean if `stores`.
 Depths gather(Depths sum, Ray ray, uint row, uint first, uint last, bool stores) {
   float from = first == 0u ? 0.0 : slice_end(ray, first - 1u);
@@ -38,14 +46,10 @@ Depths gather(Depths sum, Ray ray, uint row, uint first, uint last, bool stores)
       SkyFactors air = scene_air_factors(part_of_ray(scene.planet, ray, from, to), 2u);
       sum.depth += air.depth;
       sum.peaks += air.peaks;
-      from = to;
     }
+    from = max(from, to);
     if (stores) {
-      DiffuseAir start = diffuse_air(densities_at(ray.h), equal_phases(0.0));
-      vec3 mean = from > 0.0 ? sum.depth / from : start.extinction;
-      vec3 peaks = from > 0.0 ? sum.peaks / from : start.peaks;
-      imageStore(extinction_out, ivec2(slice, row), vec4(mean, 1.0));
-      imageStore(peaks_out, ivec2(slice, row), vec4(peaks, 1.0));
+      store(sum, ray, row, slice, from);
     }
   }
   return sum;
@@ -66,11 +70,18 @@ void main() {
   Depths before = Depths(vec3(0.0), vec3(0.0));
   if (kTeam > 1u) {
     uint thread = gl_LocalInvocationIndex;
-    parts[thread] = gather(before, ray, row, first, last, false);
+    Depths own = gather(before, ray, row, first, last, false);
+    parts[thread] = own;
     barrier();
     for (uint i = 0u; i < part; i++) {
       before.depth += parts[thread - part + i].depth;
       before.peaks += parts[thread - part + i].peaks;
+    }
+    if (kExtinctionSlices <= kTeam) {
+      if (row < rows && first < last) {
+        store(Depths(before.depth + own.depth, before.peaks + own.peaks), ray, row, first, slice_end(ray, first));
+      }
+      return;
     }
   }
   gather(before, ray, row, first, last, row < rows);

@@ -16,11 +16,16 @@ layout(push_constant, scalar) uniform Push {
 };
 
 // A thread has a quad of 2 x 2 corners, and of its block of kThingBlock x kThingBlock 16 threads: one corner is looked
-// at, and three lie between it and those of the threads beside it (quad_ray()). They are looked at where these differ.
+// at, and three lie between it and those of the threads beside it (quad_ray()). Where these differ, they are looked at
+// too: those of all threads stand in a list, so that no thread has three rays while others have none.
 const uint kThreadsAcross = 8u;
+const uint kThreads = kThreadsAcross * kThreadsAcross;
 const uint kQuadsAcross = kThingBlock / 2u;
-shared vec2 seen[kThreadsAcross * kThreadsAcross];
-shared vec3 points[kThreadsAcross * kThreadsAcross];
+const uvec2 kLast = uvec2(kThingBlock - 1u);  // places beyond the picture count as well, so that tiles have the same
+shared vec2 seen[kThreads];
+shared vec3 points[kThreads];
+shared uint more[kThreads];  // threads whose other corners are looked at
+shared uint more_count;
 
 struct CornerSeen {
   vec2 value;
@@ -49,51 +54,86 @@ CornerSeen seen_at(uvec2 corner) {
 
 const float kFartherAlike = 1.02;  // distances of terrain
 
+// The corners of a thread.
+struct CornerQuad {
+  uvec2 block;   // the first corner of its block
+  uvec2 quad;    // place in the block
+  uvec2 own;     // the corner that is looked at, in the block
+  uvec2 toward;  // to the thread beside and below it, between whose corners the others lie; -1 wraps
+};
+
+CornerQuad corner_quad(uint place) {
+  uvec2 thread = uvec2(place % kThreadsAcross, place / kThreadsAcross);
+  CornerQuad q;
+  q.block = kThingBlock * (2u * gl_WorkGroupID.xy + thread / kQuadsAcross);
+  q.quad = thread % kQuadsAcross;
+  q.own = quad_ray(q.quad, kQuadsAcross, kLast);
+  q.toward = uvec2(q.quad.x < kQuadsAcross / 2u ? 1u : -1u, q.quad.y < kQuadsAcross / 2u ? 1u : -1u);
+  return q;
+}
+
+// Corner k; 0: that which is looked at.
+uvec2 corner_of(CornerQuad q, uint k) {
+  uvec2 other = 4u * q.quad + 1u - q.own;
+  return q.block + uvec2((k & 1u) == 0u ? q.own.x : other.x, k < 2u ? q.own.y : other.y);
+}
+
+void write_corner(uvec2 corner, vec2 value) {
+  if (corner.x < width && corner.y < height) {
+    corners_out.values[corner.y * width + corner.x] = value;
+  }
+}
+
+// Writes the other corners of a thread where those around them see alike; elsewhere they are listed.
+void find_others(uint lane, CornerQuad q) {
+  uint beside = lane + q.toward.x;
+  uint below = kThreadsAcross * q.toward.y;
+  vec2 a = seen[lane];
+  vec2 b = seen[beside];
+  vec2 c = seen[lane + below];
+  vec2 d = seen[beside + below];
+  vec2 least = min(min(a, b), min(c, d));
+  vec2 most = max(max(a, b), max(c, d));
+  vec3 point = points[lane];
+  float wide = max(max(length(points[beside] - point), length(points[lane + below] - point)),
+                   length(points[beside + below] - point));
+  // Between places that are lit alike there may be a small body's shadow.
+  bool alike = most.x <= kFartherAlike * least.x && most.y == least.y && is_evenly_lit(point, wide);
+  vec2 along = 1.0 / abs(vec2(quad_ray(q.quad + q.toward, kQuadsAcross, kLast)) - vec2(q.own));
+  for (uint k = alike ? 1u : 4u; k < 4u; k++) {
+    vec2 share = vec2((k & 1u) == 0u ? 0.0 : along.x, k < 2u ? 0.0 : along.y);
+    float between = mix(mix(a.x, b.x, share.x), mix(c.x, d.x, share.x), share.y);
+    write_corner(corner_of(q, k), vec2(least.x < kNoTerrain ? between : kNoTerrain, a.y));
+  }
+  if (!alike) {
+    more[atomicAdd(more_count, 1u)] = lane;
+  }
+}
+
 void main() {
-  uvec2 thread = gl_LocalInvocationID.xy;
-  uvec2 quad = thread % kQuadsAcross;
-  uvec2 block = kThingBlock * (2u * gl_WorkGroupID.xy + thread / kQuadsAcross);
-  const uvec2 kLast = uvec2(kThingBlock - 1u);  // those beyond the picture as well, so that tiles have the same
-  uvec2 own = quad_ray(quad, kQuadsAcross, kLast);
-  uvec2 other = 4u * quad + 1u - own;
-  uvec2 toward = uvec2(quad.x < kQuadsAcross / 2u ? 1u : -1u, quad.y < kQuadsAcross / 2u ? 1u : -1u);  // they wrap
-  vec2 along = 1.0 / abs(vec2(quad_ray(quad + toward, kQuadsAcross, kLast)) - vec2(own));
   uint lane = gl_LocalInvocationIndex;
-  uint beside = lane + toward.x;
-  uint below = kThreadsAcross * toward.y;
-  bool alike = false;
+  if (lane == 0u) {
+    more_count = 0u;
+  }
   for (uint round = 0u; round < 2u; round++) {
-    uint end = round == 0u ? 1u : alike ? 0u : 4u;
-    for (uint k = round; k < end; k++) {
-      uvec2 corner = block + uvec2((k & 1u) == 0u ? own.x : other.x, k < 2u ? own.y : other.y);
+    uint threads = round == 0u ? kThreads : more_count;
+    uint count = round == 0u ? kThreads : 3u * threads;
+    for (uint i = lane; i < count; i += kThreads) {
+      // The first of the other corners of all threads, then the second, and the third: neighbours' rays are alike.
+      uint place = i % threads;
+      uint asked = round == 0u ? place : more[place];
+      uvec2 corner = corner_of(corner_quad(asked), round == 0u ? 0u : 1u + i / threads);
       CornerSeen found = seen_at(corner);
-      if (k == 0u) {
+      if (round == 0u) {
         seen[lane] = found.value;
         points[lane] = found.point;
       }
-      if (corner.x < width && corner.y < height) {
-        corners_out.values[corner.y * width + corner.x] = found.value;
-      }
+      write_corner(corner, found.value);
     }
     barrier();
-    vec2 a = seen[lane];
-    vec2 b = seen[beside];
-    vec2 c = seen[lane + below];
-    vec2 d = seen[beside + below];
-    vec2 least = min(min(a, b), min(c, d));
-    vec2 most = max(max(a, b), max(c, d));
-    vec3 point = points[lane];
-    float wide = max(max(length(points[beside] - point), length(points[lane + below] - point)),
-                     length(points[beside + below] - point));
-    // Between places that are lit alike there may be a small body's shadow.
-    alike = most.x <= kFartherAlike * least.x && most.y == least.y && is_evenly_lit(point, wide);
-    for (uint k = 1u; k < (round == 0u && alike ? 4u : 0u); k++) {
-      uvec2 corner = block + uvec2((k & 1u) == 0u ? own.x : other.x, k < 2u ? own.y : other.y);
-      vec2 share = vec2((k & 1u) == 0u ? 0.0 : along.x, k < 2u ? 0.0 : along.y);
-      float between = mix(mix(a.x, b.x, share.x), mix(c.x, d.x, share.x), share.y);
-      if (corner.x < width && corner.y < height) {
-        corners_out.values[corner.y * width + corner.x] = vec2(least.x < kNoTerrain ? between : kNoTerrain, a.y);
-      }
+    if (round == 0u) {
+      find_others(lane, corner_quad(lane));
     }
+    barrier();
   }
 }
