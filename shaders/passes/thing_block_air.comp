@@ -2,7 +2,8 @@
 #extension GL_GOOGLE_include_directive : require
 // The air up to what blocks of pixels show, along few rays of each: at its corners, and four within it. Where the air
 // between the others is not what these find, the block is rendered ray by ray. A block has units of four rays, as it
-// shows surfaces, sky or both. Units of sixteen blocks stand in a list, so that no thread waits for those that have few.
+// shows surfaces, sky or both. Units of sixteen blocks stand in one list, so that no thread waits for blocks that have
+// few.
 #include "shared/device.glsl"
 #include "shared/tables.glsl"
 #include "shared/moment_table.glsl"

@@ -24,7 +24,7 @@ const uint kQuadsAcross = kThingBlock / 2u;
 const uvec2 kLast = uvec2(kThingBlock - 1u);  // places beyond the picture count as well, so that tiles have the same
 shared vec2 seen[kThreads];
 shared vec3 points[kThreads];
-shared uint more[kThreads];  // threads whose other corners are looked at
+shared uint more[3u * kThreads];  // corners to be looked at: 4 times the thread's place, and which of its corners
 shared uint more_count;
 
 struct CornerSeen {
@@ -100,13 +100,17 @@ void find_others(uint lane, CornerQuad q) {
   // Between places that are lit alike there may be a small body's shadow.
   bool alike = most.x <= kFartherAlike * least.x && most.y == least.y && is_evenly_lit(point, wide);
   vec2 along = 1.0 / abs(vec2(quad_ray(q.quad + q.toward, kQuadsAcross, kLast)) - vec2(q.own));
+  // Loops of no turn where a branch would be masked.
   for (uint k = alike ? 1u : 4u; k < 4u; k++) {
     vec2 share = vec2((k & 1u) == 0u ? 0.0 : along.x, k < 2u ? 0.0 : along.y);
     float between = mix(mix(a.x, b.x, share.x), mix(c.x, d.x, share.x), share.y);
     write_corner(corner_of(q, k), vec2(least.x < kNoTerrain ? between : kNoTerrain, a.y));
   }
-  if (!alike) {
-    more[atomicAdd(more_count, 1u)] = lane;
+  for (uint turn = alike ? 1u : 0u; turn < 1u; turn++) {
+    uint first = atomicAdd(more_count, 3u);
+    more[first] = 4u * lane + 1u;
+    more[first + 1u] = 4u * lane + 2u;
+    more[first + 2u] = 4u * lane + 3u;
   }
 }
 
@@ -116,13 +120,10 @@ void main() {
     more_count = 0u;
   }
   for (uint round = 0u; round < 2u; round++) {
-    uint threads = round == 0u ? kThreads : more_count;
-    uint count = round == 0u ? kThreads : 3u * threads;
+    uint count = round == 0u ? kThreads : more_count;
     for (uint i = lane; i < count; i += kThreads) {
-      // The first of the other corners of all threads, then the second, and the third: neighbours' rays are alike.
-      uint place = i % threads;
-      uint asked = round == 0u ? place : more[place];
-      uvec2 corner = corner_of(corner_quad(asked), round == 0u ? 0u : 1u + i / threads);
+      uint asked = round == 0u ? 4u * i : more[i];
+      uvec2 corner = corner_of(corner_quad(asked / 4u), asked % 4u);
       CornerSeen found = seen_at(corner);
       if (round == 0u) {
         seen[lane] = found.value;
