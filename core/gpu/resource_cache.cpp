@@ -86,15 +86,18 @@ Resource& ResourceCache::image(const ImageDesc& desc) {
 }
 
 Resource& ResourceCache::buffer(const BufferDesc& desc, MemoryPlace place) {
-  if (Resource* found = find(shape_of(desc, place), desc.key)) return *found;
-  if (!desc.key.empty()) make_room(desc.bytes);
-  Resource resource;
-  resource.shape = shape_of(desc, place);
-  resource.key = desc.key;
-  resource.carried = desc.carried;
-  resource.host_readable = desc.host_readable || place == MemoryPlace::readback;
-  resource.buffer.emplace(device_, whole_words(desc.bytes), kUsage, place, "buffer " + desc.name);
-  return add(std::move(resource));
+  Resource* found = find(shape_of(desc, place), desc.key);
+  if (found == nullptr) {
+    if (!desc.key.empty()) make_room(desc.bytes);
+    Resource resource;
+    resource.shape = shape_of(desc, place);
+    resource.key = desc.key;
+    resource.buffer.emplace(device_, whole_words(desc.bytes), kUsage, place, "buffer " + desc.name);
+    found = &add(std::move(resource));
+  }
+  found->carried = desc.carried;
+  found->host_readable = desc.host_readable || place == MemoryPlace::readback;
+  return *found;
 }
 
 bool ResourceCache::holds(const ImageDesc& desc) {

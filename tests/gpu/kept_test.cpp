@@ -89,7 +89,16 @@ TEST(Kept, TablesStayWherePicturesAreFreed) {
   executor.free_pictures(false);
   EXPECT_EQ(executor.memory_use().bytes, executor.memory_use().kept_bytes);
   EXPECT_EQ(run_kept(executor, "key", 7, kCount).passes, kCopyAlone);
+  executor.free_pictures(false);
   EXPECT_EQ(executor.run(plan).passes.size(), 2U) << "made anew but for the kept one";
+  // A result may lie where another plan's plain buffer was; it stays as well as the earlier result.
+  Plan other;
+  const BufferId eights = other.add_buffer({.name = "eights", .bytes = 4 * kCount, .host_readable = true});
+  other.add_pass({.shader = "accumulate", .writes = {{"numbers", eights}}, .grid = grid, .push_constants = {8}});
+  const RunResult swapped = executor.run(other);
+  executor.free_pictures(true);
+  EXPECT_EQ(executor.memory_use().bytes, executor.memory_use().kept_bytes + 2 * 4 * kCount);
+  EXPECT_EQ(values_of<std::uint32_t>(swapped.contents(eights)), std::vector<std::uint32_t>(kCount, 8));
 }
 
 // The least recently used resource goes first. The current plan's resources stay, whatever the limit.
