@@ -100,17 +100,17 @@ void find_others(uint lane, CornerQuad q) {
   // Between places that are lit alike there may be a small body's shadow.
   bool alike = most.x <= kFartherAlike * least.x && most.y == least.y && is_evenly_lit(point, wide);
   vec2 along = 1.0 / abs(vec2(quad_ray(q.quad + q.toward, kQuadsAcross, kLast)) - vec2(q.own));
-  // Loops of no turn where a branch would be masked.
-  for (uint k = alike ? 1u : 4u; k < 4u; k++) {
-    vec2 share = vec2((k & 1u) == 0u ? 0.0 : along.x, k < 2u ? 0.0 : along.y);
-    float between = mix(mix(a.x, b.x, share.x), mix(c.x, d.x, share.x), share.y);
-    write_corner(corner_of(q, k), vec2(least.x < kNoTerrain ? between : kNoTerrain, a.y));
-  }
-  for (uint turn = alike ? 1u : 0u; turn < 1u; turn++) {
+  if (alike) {
+    for (uint k = 1u; k < 4u; k++) {
+      vec2 share = vec2((k & 1u) == 0u ? 0.0 : along.x, k < 2u ? 0.0 : along.y);
+      float between = mix(mix(a.x, b.x, share.x), mix(c.x, d.x, share.x), share.y);
+      write_corner(corner_of(q, k), vec2(least.x < kNoTerrain ? between : kNoTerrain, a.y));
+    }
+  } else {
     uint first = atomicAdd(more_count, 3u);
-    more[first] = 4u * lane + 1u;
-    more[first + 1u] = 4u * lane + 2u;
-    more[first + 2u] = 4u * lane + 3u;
+    for (uint k = 1u; k < 4u; k++) {
+      more[first + k - 1u] = 4u * lane + k;
+    }
   }
 }
 
