@@ -24,7 +24,8 @@ std::vector<Option> sampling_options(SamplingOptions& options) {
         Range{1.0, 1e9}},
        {"--time-limit", "TIME",
         "Choose the most accurate method and quality whose tables and picture take the device no longer than this, "
-        "e.g. 50ms, 2s, 1min. With a method that samples: stop sampling after this time",
+        "e.g. 50ms, 2s, 1min. With a method that samples: stop sampling after this time, once each pixel has 32 "
+        "samples",
         &options.time_limit},
        share_option("--target-error", "Stop sampling when the mean standard error is this small, e.g. 0.5%",
                     options.target_error),

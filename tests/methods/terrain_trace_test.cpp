@@ -42,6 +42,48 @@ TEST(TracedTerrain, IsMetWhereTheShadersMeetIt) {
   EXPECT_LE(apart, 100);
 }
 
+// Long steps over what is lower pass through no slope: rays between the peaks, up and down, against steps of a fiftieth
+// of a cell.
+TEST(TracedTerrain, StepsOverNothing) {
+  const Scene scene = range_in_haze("orders", 20.0);
+  const auto maps = terrain_of(scene);
+  physics::Physics p = make_physics(scene);
+  const TracedTerrain traced(scene, maps);
+  const double radius = scene.planet.ground_radius;
+  const auto clearance = [&](physics::vec3 place) {
+    const physics::vec2 at = traced.on_map(place);
+    return length(place) - radius - p.map_height(maps->shape, at.x, at.y);
+  };
+  p.terrain_maps = maps;
+  std::mt19937_64 engine(5);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  int hits = 0;
+  int apart = 0;
+  constexpr int kRays = 300;
+  for (int k = 0; k < kRays; ++k) {
+    const auto random = [&] { return uniform(engine); };
+    const double a = 0.3 + 0.4 * random();
+    const auto from = place_in_range(p, radius, a, random(), random());
+    if (!from) {
+      continue;
+    }
+    const physics::vec3 place = from->up * (radius + from->h);
+    const physics::vec3 direction =
+        p.direction_from_angles((16.0 * random() - 8.0) * kDegree, 360.0 * random() * kDegree);
+    constexpr double kLimit = 10.0;
+    const double step = 0.02 * maps->shape.texel;
+    double expected = kLimit;
+    for (double t = 0.0; t < kLimit && expected == kLimit; t += step) {
+      expected = clearance(place + direction * t) < 0.0 ? t : expected;
+    }
+    const double found = traced.hit(place, direction, kLimit).value_or(kLimit);
+    hits += expected < kLimit ? 1 : 0;
+    apart += std::abs(found - expected) > 2.0 * step ? 1 : 0;
+  }
+  EXPECT_GT(hits, 60);
+  EXPECT_LE(apart, 2) << "more than rays that graze";
+}
+
 TEST(TracedTerrain, HidesTheSunWhereTheTableOfShadowsSaysSo) {
   const Scene scene = range_in_haze("orders", 5.0);
   physics::Physics p = make_physics(scene);

@@ -31,31 +31,9 @@ BentWay::BentWay(physics::Physics& physics, vec3 place, vec3 up, vec3 direction,
   level_ = slope_ > 1e-12 ? level / slope_ : vec3(0.0);
 }
 
-// By Gauss's rule of two nodes.
 double BentWay::bending_between(double from, double to) const {
-  const physics::PlanetData& planet = physics_.scene.planet;
-  const double impact = (planet.ground_radius + ray_.h) * slope_;
-  const auto rate = [&](double t) {
-    const double h = physics_.point_on_ray(planet, ray_, t).h;
-    const double q = planet.ground_radius + h;
-    return physics_.bending_rate(planet, h) * impact / (q * q);
-  };
-  const double middle = 0.5 * (from + to);
-  const double apart = 0.5 * (to - from) / std::sqrt(3.0);
-  return 0.5 * (to - from) * (rate(middle - apart) + rate(middle + apart));
-}
-
-BentWay::Point BentWay::turned(double t, double bent) const {
-  const physics::PlanetData& planet = physics_.scene.planet;
-  const double r = planet.ground_radius + ray_.h;
-  const auto point = physics_.point_on_ray(planet, ray_, t);
-  const double round = std::atan2(t * slope_, r + t * ray_.mu) + bent;
-  Point at;
-  at.up = up_ * std::cos(round) + level_ * std::sin(round);
-  const vec3 ahead = level_ * std::cos(round) - up_ * std::sin(round);
-  at.place = true_place(physics_, at.up, point.h);
-  at.direction = at.up * point.mu + ahead * std::sqrt(std::max(1.0 - point.mu * point.mu, 0.0));
-  return at;
+  static const GaussRule rule = gauss_legendre(2);
+  return airlight::bending_between(physics_, ray_.h, ray_.mu, {from, to}, rule);
 }
 
 // By the Illinois rule of false position: the length from the chord's begin grows with the distance.
@@ -73,7 +51,7 @@ double BentWay::on_ray(const Chord& chord, double along) const {
   double off = below;
   for (int turn = 0, side = 0; turn < kMostTurns && std::abs(off) > kClose && above > below; ++turn) {
     t = std::clamp((low * above - high * below) / (above - below), chord.start, chord.end);
-    off = length(turned(t, chord.bent + bending_between(chord.start, t)).place - chord.from) - along;
+    off = length(at(t, chord.bent + bending_between(chord.start, t)).place - chord.from) - along;
     if (off < 0.0) {
       low = t;
       below = off;
@@ -90,12 +68,24 @@ double BentWay::on_ray(const Chord& chord, double along) const {
 }
 
 BentWay::Point BentWay::at(double t) const {
+  return at(t, LitRay(physics_, ray_).bending_to(physics_.point_on_ray(physics_.scene.planet, ray_, t)));
+}
+
+BentWay::Point BentWay::at(double t, double bent) const {
   if (!physics_.refraction) {
     const vec3 place = place_ + direction_ * t;
     return {place, direction_, normalize(place)};
   }
-  const auto point = physics_.point_on_ray(physics_.scene.planet, ray_, t);
-  return turned(t, bending_to(physics_, ray_, point));
+  const physics::PlanetData& planet = physics_.scene.planet;
+  const double r = planet.ground_radius + ray_.h;
+  const auto point = physics_.point_on_ray(planet, ray_, t);
+  const double round = std::atan2(t * slope_, r + t * ray_.mu) + bent;
+  Point at;
+  at.up = up_ * std::cos(round) + level_ * std::sin(round);
+  const vec3 ahead = level_ * std::cos(round) - up_ * std::sin(round);
+  at.place = true_place(physics_, at.up, point.h);
+  at.direction = at.up * point.mu + ahead * std::sqrt(std::max(1.0 - point.mu * point.mu, 0.0));
+  return at;
 }
 
 }  // namespace airlight

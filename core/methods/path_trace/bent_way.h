@@ -28,6 +28,7 @@ class BentWay {
     physics::vec3 up;
   };
   Point at(double t) const;
+  Point at(double t, double bent) const;  // the ray's bending up to there is known, rad
 
   struct Chord {
     physics::vec3 from;
@@ -61,7 +62,7 @@ class BentWay {
       }
       chord.end = std::min(chord.start + kLongest, limit);
       const double bent = chord.bent + bending_between(chord.start, chord.end);
-      const physics::vec3 to = turned(chord.end, bent).place;
+      const physics::vec3 to = at(chord.end, bent).place;
       chord.length = length(to - chord.from);
       chord.direction = chord.length > 0.0 ? (to - chord.from) / chord.length : direction_;
       if (visit(chord)) {
@@ -75,7 +76,6 @@ class BentWay {
 
  private:
   double bending_between(double from, double to) const;
-  Point turned(double t, double bent) const;
 
   physics::Physics& physics_;
   physics::vec3 place_;

@@ -14,6 +14,7 @@ using physics::vec3;
 namespace {
 
 constexpr int kMostNodes = 12;
+constexpr int kSmoothNodes = 6;  // of a smooth piece that a ray crosses without bending round the planet
 // Number of scale heights at which an exponential medium ends: exp(-18) = 1.5e-8 of it is left out.
 constexpr double kOver = 18.0;
 
@@ -41,10 +42,10 @@ void OpticalDepth::add_piece(Shape shape, uint i, MediumData medium, double low,
     pieces_.push_back({shape, i, physics_.density_profile(i), medium, extinction, from, to});
   };
   if (physics_.refraction && (shape == Shape::constant || shape == Shape::linear)) {
-    // Over optical altitudes nothing is constant or linear, least near the ground.
+    // Over optical altitudes nothing is constant or quite linear, least near the ground.
     constexpr double kSmooth = 4.0;  // km
     constexpr double kShare = 0.1;   // of the altitude
-    shape = Shape::smooth;
+    shape = Shape::linear;
     for (double step = kSmooth; high - low > step; step = std::max(kSmooth, kShare * low)) {
       add(low, low + step);
       low += step;
@@ -196,10 +197,10 @@ double OpticalDepth::column(const Piece& piece, const Climb& path) const {
 // `fall`: scale heights between the panel's ends.
 const GaussRule& OpticalDepth::rule_for(const Piece& piece, double r, double length, double fall) const {
   if (piece.shape == Shape::linear) {
-    return plain_[length < 0.1 * r ? 3 : 10];
+    return plain_[length < 0.1 * r ? (physics_.refraction ? 4 : 3) : 10];
   }
   if (piece.shape == Shape::smooth) {
-    return plain_[kMostNodes];
+    return plain_[length < 0.1 * r ? kSmoothNodes : kMostNodes];
   }
   if (fall < 0.1 && length < 0.1 * r) {
     return plain_[3];

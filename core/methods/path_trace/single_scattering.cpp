@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/methods/path_trace/adaptive_sum.h"
-
 namespace airlight {
 
 using physics::vec3;
@@ -15,12 +13,13 @@ using Ray = physics::Physics::Ray;
 struct SingleScattering::Integrand {
   const SingleScattering& single;
   const Ray& ray;
+  LitRay lit_ray;
   physics::Physics::Phases phases;
   double uneven;  // as of the footing
 
   vec3 operator()(double t) const {
     physics::Physics& physics = single.physics_;
-    const LitPoint lit = lit_point(physics, ray, t);
+    const LitPoint lit = lit_ray.at(t);
     const double h = lit.point.h;
     const vec3 scattering = single.scattered(h, physics.refraction ? physics.phases(lit.nu) : phases, uneven);
     const vec3 sun = single.sunlight(h, lit.beam);
@@ -33,7 +32,7 @@ struct SingleScattering::Integrand {
 
 SingleScattering::SingleScattering(physics::Physics& physics, const OpticalDepth& depth, std::vector<double> edges,
                                    const TracedThings* things)
-    : physics_(physics), depth_(depth), edges_(std::move(edges)), rule_(gauss_legendre(8)), things_(things) {}
+    : physics_(physics), depth_(depth), edges_(std::move(edges)), things_(things) {}
 
 // Coefficient times phase function, 1/(km sr).
 vec3 SingleScattering::scattered(double h, const physics::Physics::Phases& phases, double uneven) const {
@@ -45,8 +44,9 @@ vec3 SingleScattering::sunlight(double h, const Sunbeam& beam) const {
   return beam.up ? exp(-depth_.to_top(h, beam.mu)) * beam.spread : vec3(0.0);
 }
 
-// The distances at which the ray begins, ends, turns upward, and crosses an edge of the air or of the planet's shadow.
-std::vector<double> SingleScattering::corners(const Ray& ray) const {
+// Between the distances at which the ray begins, ends, turns upward, and crosses an edge of the air or of the planet's
+// shadow.
+std::vector<SmoothPart> SingleScattering::smooth_parts(const Ray& ray) const {
   std::vector<double> list{0.0, ray.length_};
   const auto add = [&](double t) {
     if (t > 0.0 && t < ray.length_) {
@@ -67,14 +67,19 @@ std::vector<double> SingleScattering::corners(const Ray& ray) const {
   add(shadow.first);
   add(shadow.second);
   std::ranges::sort(list);
-  return list;
+  std::vector<SmoothPart> smooth;
+  for (std::size_t k = 0; k + 1 < list.size(); ++k) {
+    smooth.push_back({list[k], list[k + 1]});
+  }
+  return smooth;
 }
 
-// The integral of f along the ray, from corner to corner.
+// The integral of f along the parts of the ray that sunlight reaches.
 template <class Value, class F>
-Value SingleScattering::along(const Ray& ray, const F& f) const {
-  AdaptiveSum<Value, F> integral(f, rule_);
-  const Value sum = integral.over(corners(ray));
+Value SingleScattering::along(const Ray& ray, const Footing& footing, const F& f) const {
+  AdaptiveSum<Value, F> integral(f);
+  const std::vector<SmoothPart> smooth = smooth_parts(ray);
+  const Value sum = integral.over(things_ != nullptr ? lit_parts(smooth, ray, footing) : smooth);
   cut_rays_ += integral.cut() ? 1 : 0;
   return sum;
 }
@@ -112,17 +117,12 @@ vec3 SingleScattering::radiance(const Ray& ray, const Footing& footing) const {
   if (!(ray.length_ >= 0.0)) {
     return vec3(0.0);
   }
-  vec3 sum(0.0);
-  if (things_ != nullptr) {
-    sum = through_shadows(ray, footing);
-  } else {
-    sum = along<vec3>(ray, Integrand{*this, ray, physics_.phases(ray.nu), footing.uneven});
-  }
+  vec3 sum = along<vec3>(ray, footing, Integrand{*this, ray, {physics_, ray}, physics_.phases(ray.nu), footing.uneven});
   if (footing.thing != kNoThing) {
     return sum + exp(-depth_.along(ray.h, ray.mu, ray.length_)) * seen_thing(ray, footing);
   }
   if (ray.at_ground) {
-    const LitPoint end = lit_point(physics_, ray, ray.length_);
+    const LitPoint end = LitRay(physics_, ray).at(ray.length_);
     const vec3 sun_on_ground = things_ == nullptr
                                    ? sunlight(0.0, end.beam)
                                    : sunlight_at(way_of(ray, footing).at(ray.length_).place, 0.0, end.beam);
@@ -141,51 +141,62 @@ vec3 SingleScattering::sunlight_at(vec3 place, double h, const Sunbeam& beam, Th
   return shines && (things_ == nullptr || !things_->hides_sun(physics_, place, h, beam, left)) ? light : vec3(0.0);
 }
 
-namespace {
-
-constexpr double kDark = 1e-9;  // transmittance behind which nothing is visible
-
-// Many short steps, denser toward the camera, since shadows have edges everywhere. `step`: gets each step's
-// middle and width; it returns false where nothing behind it is visible.
-template <class F>
-void for_short_steps(const Ray& ray, F step) {
-  constexpr int kShadowSteps = 800;
-  double start = 0.0;
-  for (int i = 0; i < kShadowSteps; ++i) {
-    const double share = (i + 1.0) / kShadowSteps;
-    const double end = ray.length_ * share * share;
-    if (!step(0.5 * (start + end), end - start)) {
-      return;
-    }
-    start = end;
-  }
+// Whether sunlight meets the ray at a distance, however weak.
+bool SingleScattering::is_reached(const LitRay& ray, const BentWay& way, double t) const {
+  const LitPoint lit = ray.unspread_at(t);
+  return lit.beam.up && !things_->hides_sun(physics_, way.at(t, lit.bent).place, lit.point.h, lit.beam, kNoThing);
 }
 
-}  // namespace
-
-vec3 SingleScattering::through_shadows(const Ray& ray, const Footing& footing) const {
+// Shadows are looked for at places along the ray, closer together toward the camera, and the edges between two that
+// differ are found by halving. Shadows between two neighbours are missed.
+std::vector<SmoothPart> SingleScattering::lit_parts(const std::vector<SmoothPart>& smooth, const Ray& ray,
+                                                    const Footing& footing) const {
+  constexpr int kPlaces = 400;
+  constexpr int kHalvings = 12;
+  constexpr double kDark = 20.0;  // optical depth behind which nothing is visible
+  constexpr int kPlacesADepth = 16;
+  const LitRay lit_ray(physics_, ray);
   const BentWay way = way_of(ray, footing);
-  const physics::Physics::Phases phases = physics_.phases(ray.nu);
-  vec3 sum(0.0);
-  for_short_steps(ray, [&](double t, double width) {
-    const vec3 through = exp(-depth_.along(ray.h, ray.mu, t));
-    if (std::max({through.x, through.y, through.z}) < kDark) {
-      return false;
+  std::vector<double> edges;  // from dark to lit and back
+  double before = 0.0;
+  bool was_lit = false;
+  for (int i = 0; i < kPlaces; ++i) {
+    const double t = ray.length_ * (i + 0.5) * (i + 0.5) / (kPlaces * kPlaces);
+    const vec3 depth = i % kPlacesADepth == 0 ? depth_.along(ray.h, ray.mu, t) : vec3(0.0);
+    if (std::min({depth.x, depth.y, depth.z}) > kDark) {
+      break;
     }
-    const LitPoint lit = lit_point(physics_, ray, t);
-    const vec3 sun = sunlight_at(way.at(t).place, lit.point.h, lit.beam);
-    if (sun.x + sun.y + sun.z > 0.0) {
-      const physics::Physics::Phases here = physics_.refraction ? physics_.phases(lit.nu) : phases;
-      sum = sum + through * scattered(lit.point.h, here, footing.uneven) * sun * width;
+    const bool lit = is_reached(lit_ray, way, t);
+    if (lit != was_lit) {
+      double here = before;
+      double there = t;
+      for (int k = 0; k < kHalvings && i > 0; ++k) {
+        const double middle = 0.5 * (here + there);
+        (is_reached(lit_ray, way, middle) == lit ? there : here) = middle;
+      }
+      edges.push_back(i > 0 ? 0.5 * (here + there) : 0.0);
     }
-    return true;
-  });
-  return sum;
+    before = t;
+    was_lit = lit;
+  }
+  if (was_lit) {
+    edges.push_back(ray.length_);
+  }
+  std::vector<SmoothPart> parts;
+  for (const SmoothPart& whole : smooth) {
+    for (std::size_t k = 0; k + 1 < edges.size(); k += 2) {
+      const SmoothPart part{std::max(whole.from, edges[k]), std::min(whole.to, edges[k + 1])};
+      if (part.to > part.from) {
+        parts.push_back(part);
+      }
+    }
+  }
+  return parts;
 }
 
 // A mirror's light comes along a ray of its own.
 vec3 SingleScattering::seen_thing(const Ray& ray, const Footing& footing) const {
-  const LitPoint end = lit_point(physics_, ray, ray.length_);
+  const LitPoint end = LitRay(physics_, ray).at(ray.length_);
   const vec3 place = footing.place;
   if (things_->mirrors(footing.thing)) {
     return vec3(0.0);
@@ -220,14 +231,13 @@ struct SingleScattering::WideIntegrand {
   const SingleScattering& single;
   const Wavelengths& all;
   const Ray& ray;
+  LitRay lit_ray;
   Wavelengths::Phases phases;
   double uneven;  // as of the footing
 
-  Wide operator()(double t) const { return at(lit_point(single.physics_, ray, t), t); }
-
-  // The same, of a point of the ray that is known.
-  Wide at(const LitPoint& lit, double t) const {
+  Wide operator()(double t) const {
     physics::Physics& physics = single.physics_;
+    const LitPoint lit = lit_ray.at(t);
     if (!lit.beam.up) {
       return {};
     }
@@ -248,33 +258,17 @@ bool SingleScattering::is_lit(vec3 place, double h, const Sunbeam& beam, ThingNu
   return sun.x + sun.y + sun.z > 0.0;
 }
 
-// As for three channels, which decide what counts as dark.
-Wide SingleScattering::through_shadows(const Ray& ray, const Footing& footing, const Wavelengths& all) const {
-  const WideIntegrand integrand{*this, all, ray, all.phases(ray.nu), footing.uneven};
-  const BentWay way = way_of(ray, footing);
-  Wide sum;
-  for_short_steps(ray, [&](double t, double width) {
-    const LitPoint lit = lit_point(physics_, ray, t);
-    if (is_lit(way.at(t).place, lit.point.h, lit.beam)) {
-      sum = sum + integrand.at(lit, t) * width;
-    }
-    const vec3 through = exp(-depth_.along(ray.h, ray.mu, t));
-    return std::max({through.x, through.y, through.z}) >= kDark;
-  });
-  return sum;
-}
-
 Wide SingleScattering::radiance(const Ray& ray, const Footing& footing, const Wavelengths& all) const {
   if (!(ray.length_ >= 0.0)) {
     return {};
   }
-  Wide sum = things_ != nullptr ? through_shadows(ray, footing, all)
-                                : along<Wide>(ray, WideIntegrand{*this, all, ray, all.phases(ray.nu), footing.uneven});
+  Wide sum =
+      along<Wide>(ray, footing, WideIntegrand{*this, all, ray, {physics_, ray}, all.phases(ray.nu), footing.uneven});
   const ThingNumber thing = footing.thing;
   if ((!ray.at_ground && thing == kNoThing) || (things_ != nullptr && things_->mirrors(thing))) {
     return sum;
   }
-  const LitPoint end = lit_point(physics_, ray, ray.length_);
+  const LitPoint end = LitRay(physics_, ray).at(ray.length_);
   const vec3 place = thing != kNoThing ? footing.place : way_of(ray, footing).at(ray.length_).place;
   const double h = thing != kNoThing ? end.point.h : 0.0;
   const double facing =

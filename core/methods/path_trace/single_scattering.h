@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/methods/path_trace/adaptive_sum.h"
 #include "core/methods/path_trace/optical_depth.h"
 #include "core/methods/path_trace/sunbeam.h"
 #include "core/methods/path_trace/things_trace.h"
 #include "core/methods/path_trace/wavelengths.h"
-#include "core/physics/gauss.h"
 
 namespace airlight {
 
@@ -61,20 +61,20 @@ class SingleScattering {
   struct WideIntegrand;
   physics::vec3 scattered(double h, const physics::Physics::Phases& phases, double uneven) const;
   template <class Value, class F>
-  Value along(const physics::Physics::Ray& ray, const F& f) const;
-  physics::vec3 through_shadows(const physics::Physics::Ray& ray, const Footing& footing) const;
-  Wide through_shadows(const physics::Physics::Ray& ray, const Footing& footing, const Wavelengths& all) const;
+  Value along(const physics::Physics::Ray& ray, const Footing& footing, const F& f) const;
+  std::vector<SmoothPart> smooth_parts(const physics::Physics::Ray& ray) const;
+  std::vector<SmoothPart> lit_parts(const std::vector<SmoothPart>& smooth, const physics::Physics::Ray& ray,
+                                    const Footing& footing) const;
+  bool is_reached(const LitRay& ray, const BentWay& way, double t) const;
   bool is_lit(physics::vec3 place, double h, const Sunbeam& beam, ThingNumber left = kNoThing) const;
   BentWay way_of(const physics::Physics::Ray& ray, const Footing& footing) const;
   physics::vec3 seen_thing(const physics::Physics::Ray& ray, const Footing& footing) const;
   physics::vec3 seen_ground(physics::Physics& physics, const physics::Physics::Ray& ray, const Footing& footing,
                             physics::vec3 beam, double mu_sun) const;
-  std::vector<double> corners(const physics::Physics::Ray& ray) const;
 
   physics::Physics& physics_;
   const OpticalDepth& depth_;
   std::vector<double> edges_;
-  GaussRule rule_;
   const TracedThings* things_;
   mutable std::atomic<std::uint64_t> cut_rays_ = 0;
 };

@@ -20,9 +20,78 @@ double raised(double mu, double angle) {
   return mu * std::cos(angle) + across(mu) * std::sin(angle);
 }
 
+// Of a ray from altitude h along mu to the top of the air, as Physics::bending_to_top(), to 1e-6 rad. Twelve steps do,
+// but for the part between the lowest point and h, at whose ends the air is thick; Gauss's rule has that.
+double bending_to_top(physics::Physics& physics, double h, double mu) {
+  constexpr physics::uint kSteps = 12;
+  static const GaussRule rule = gauss_legendre(12);
+  const physics::PlanetData& planet = physics.scene.planet;
+  const double sine = across(mu);
+  const double r = planet.ground_radius + h;
+  const double lowest = mu < 0.0 ? std::max(h - r * mu * mu / (1.0 + sine), 0.0) : h;
+  const double level = std::max(mu, 0.0);
+  const double above =
+      physics.bending_upward(planet, lowest, level, physics.distance_to_top(planet, lowest, level), kSteps);
+  return mu < 0.0 ? above + bending_between(physics, lowest, 0.0, {0.0, -r * mu}, rule) : above;
+}
+
+// The same, below the horizon as at it.
+double bending(physics::Physics& physics, double h, double horizon, double mu) {
+  return bending_to_top(physics, h, std::max(mu, horizon));
+}
+
+// The angle that is the bending of a sun lifted by it. Bending falls with the lift, so that the angle lies between the
+// least lift, the horizon's, and the bending there: the Illinois rule of false position.
+template <class Bending>
+double lift_of(double least, const Bending& bending) {
+  constexpr int kMostTurns = 20;
+  constexpr double kNear = 1e-9;
+  double low = least;
+  double above = bending(low) - low;
+  if (above <= kNear) {
+    return low;
+  }
+  double high = low + above;
+  double below = bending(high) - high;
+  for (int turn = 0, side = 0; turn < kMostTurns; ++turn) {
+    const double slope = (below - above) / (high - low);
+    const double lift = low - above / slope;
+    const double off = bending(lift) - lift;
+    if (std::abs(off) < kNear) {
+      return lift - off / slope;
+    }
+    if (off > 0.0) {
+      low = lift;
+      above = off;
+      below = side > 0 ? 0.5 * below : below;
+      side = 1;
+    } else {
+      high = lift;
+      below = off;
+      above = side < 0 ? 0.5 * above : above;
+      side = -1;
+    }
+  }
+  return 0.5 * (low + high);
+}
+
 }  // namespace
 
-Sunbeam sunbeam(physics::Physics& physics, double h, double mu_sun) {
+double bending_between(physics::Physics& physics, double h, double mu, const Reach& reach, const GaussRule& rule) {
+  const physics::PlanetData& planet = physics.scene.planet;
+  const physics::Physics::Ray ray{h, mu, mu, 1.0, reach.to, false, 0.0, false};
+  const double impact = (planet.ground_radius + h) * across(mu);
+  double sum = 0.0;
+  for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
+    const double t = reach.from + (reach.to - reach.from) * rule.nodes[k];
+    const double g = physics.point_on_ray(planet, ray, t).h;
+    const double q = planet.ground_radius + g;
+    sum += rule.weights[k] * physics.bending_rate(planet, g) * impact / (q * q);
+  }
+  return sum * (reach.to - reach.from);
+}
+
+Sunbeam unspread_sunbeam(physics::Physics& physics, double h, double mu_sun) {
   const physics::PlanetData& planet = physics.scene.planet;
   if (!physics.refraction) {
     return {!physics.meets_ground(planet, h, mu_sun), mu_sun, 1.0};
@@ -32,54 +101,70 @@ Sunbeam sunbeam(physics::Physics& physics, double h, double mu_sun) {
     return beam;
   }
   const double horizon = physics.horizon_mu(planet, h);
-  const auto bending = [&](double mu) {
-    return physics.bending_to_top(planet, h, std::max(mu, horizon), physics::kBendingSteps);
-  };
-  // Newton's steps toward angle = bending(true angle - angle), from the horizon up: they do not pass the root.
-  constexpr int kMostSteps = 20;
-  constexpr double kNear = 1e-9;
-  double angle = std::max(std::acos(std::clamp(mu_sun, -1.0, 1.0)) - std::acos(horizon), 0.0);
-  for (int i = 0; i < kMostSteps; ++i) {
-    const double here = bending(raised(mu_sun, angle));
-    const double slope = (here - bending(raised(mu_sun, angle + kApart))) / kApart;
-    const double step = std::max(here - angle, 0.0) / (1.0 + slope);
-    angle += step;
-    if (step < kNear) {
-      break;
-    }
-  }
+  const double least = std::max(std::acos(std::clamp(mu_sun, -1.0, 1.0)) - std::acos(horizon), 0.0);
+  const double angle = lift_of(least, [&](double lift) { return bending(physics, h, horizon, raised(mu_sun, lift)); });
   beam.mu = std::max(raised(mu_sun, angle), horizon);
-  const double here = bending(beam.mu);
-  const double one = bending(raised(beam.mu, kApart));
-  const double two = bending(raised(beam.mu, 2.0 * kApart));
-  beam.spread = physics.beam_spread(planet, h, beam.mu, here, (3.0 * here - 4.0 * one + two) / (2.0 * kApart));
   return beam;
 }
 
-double bending_to(physics::Physics& physics, const physics::Physics::Ray& ray,
-                  const physics::Physics::RayPoint& point) {
-  const physics::PlanetData& planet = physics.scene.planet;
-  return physics.bending_ahead(planet, ray.falls, ray.h, ray.mu) -
-         physics.bending_ahead(planet, ray.falls, point.h, point.mu);
+namespace {
+
+double spread_of(physics::Physics& physics, double h, const Sunbeam& beam) {
+  if (!physics.refraction || !beam.up) {
+    return 1.0;
+  }
+  const double horizon = physics.horizon_mu(physics.scene.planet, h);
+  const auto after = [&](double angle) { return bending(physics, h, horizon, raised(beam.mu, angle)); };
+  const double here = after(0.0);
+  const double slope = (3.0 * here - 4.0 * after(kApart) + after(2.0 * kApart)) / (2.0 * kApart);
+  return physics.beam_spread(physics.scene.planet, h, beam.mu, here, slope);
 }
 
-LitPoint lit_point(physics::Physics& physics, const physics::Physics::Ray& ray, double t) {
-  const physics::PlanetData& planet = physics.scene.planet;
-  if (!physics.refraction) {
-    const auto point = physics.point_on_ray(planet, ray, t);
-    return {point, sunbeam(physics, point.h, point.mu_sun), ray.nu};
+}  // namespace
+
+Sunbeam sunbeam(physics::Physics& physics, double h, double mu_sun) {
+  Sunbeam beam = unspread_sunbeam(physics, h, mu_sun);
+  beam.spread = spread_of(physics, h, beam);
+  return beam;
+}
+
+LitRay::LitRay(physics::Physics& physics, const physics::Physics::Ray& ray)
+    : physics_(physics), ray_(ray), bending_(bending_from(ray.h, ray.mu)) {}
+
+// To the top of the air; of a ray that falls to the ground less that which it would have if it went the other way.
+double LitRay::bending_from(double h, double mu) const {
+  if (!physics_.refraction) {
+    return 0.0;
   }
-  const auto straight = physics.point_on_ray(planet, ray, t);
-  const double bent = bending_to(physics, ray, straight);
+  return ray_.falls ? -bending_to_top(physics_, h, -mu) : bending_to_top(physics_, h, mu);
+}
+
+double LitRay::bending_to(const physics::Physics::RayPoint& point) const {
+  return bending_ - bending_from(point.h, point.mu);
+}
+
+LitPoint LitRay::unspread_at(double t) const {
+  const auto straight = physics_.point_on_ray(physics_.scene.planet, ray_, t);
+  if (!physics_.refraction) {
+    return {straight, unspread_sunbeam(physics_, straight.h, straight.mu_sun), ray_.nu};
+  }
+  const double bent = bending_to(straight);
   const double s = across(straight.mu);
-  const double ahead = s > 1e-9 ? (ray.nu - straight.mu * straight.mu_sun) / s : 0.0;
+  const double ahead = s > 1e-9 ? (ray_.nu - straight.mu * straight.mu_sun) / s : 0.0;
   LitPoint lit;
+  lit.bent = bent;
   lit.point = straight;
   lit.point.mu_sun = straight.mu_sun * std::cos(bent) + ahead * std::sin(bent);
-  lit.beam = sunbeam(physics, lit.point.h, lit.point.mu_sun);
+  lit.beam = unspread_sunbeam(physics_, lit.point.h, lit.point.mu_sun);
   const double level =
       (ahead * std::cos(bent) - straight.mu_sun * std::sin(bent)) / std::max(across(lit.point.mu_sun), 1e-9);
   lit.nu = std::clamp(straight.mu * lit.beam.mu + s * level * across(lit.beam.mu), -1.0, 1.0);
+  return lit;
+}
+
+LitPoint LitRay::at(double t) const {
+  LitPoint lit = unspread_at(t);
+  lit.beam.spread = spread_of(physics_, lit.point.h, lit.beam);
   return lit;
 }
 

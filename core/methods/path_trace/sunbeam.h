@@ -1,6 +1,7 @@
 #pragma once
 // The sun as a point of the air sees it, by exact rays where the air bends light.
 
+#include "core/physics/gauss.h"
 #include "core/physics/physics.h"
 
 namespace airlight {
@@ -14,16 +15,44 @@ struct Sunbeam {
 // `mu_sun`: zenith cosine of the true sun.
 Sunbeam sunbeam(physics::Physics& physics, double h, double mu_sun);
 
-// Bending of a ray up to one of its points, rad; 0 where the air bends no light.
-double bending_to(physics::Physics& physics, const physics::Physics::Ray& ray, const physics::Physics::RayPoint& point);
+// The same but for the spread, which is left at 1.
+Sunbeam unspread_sunbeam(physics::Physics& physics, double h, double mu_sun);
+
+// Between two distances of a ray, km.
+struct Reach {
+  double from;
+  double to;
+};
+
+// Bending of a ray that leaves altitude h along zenith cosine mu, between these distances, rad.
+double bending_between(physics::Physics& physics, double h, double mu, const Reach& reach, const GaussRule& rule);
 
 // A point of a ray, with the true sun as it stands there.
 struct LitPoint {
   physics::Physics::RayPoint point;
   Sunbeam beam;
-  double nu = 0.0;  // cosine between the ray and the sun that is seen there
+  double nu = 0.0;    // cosine between the ray and the sun that is seen there
+  double bent = 0.0;  // of the ray up to here, rad
 };
-LitPoint lit_point(physics::Physics& physics, const physics::Physics::Ray& ray, double t);
+
+// The points of a ray under the sun.
+class LitRay {
+ public:
+  LitRay(physics::Physics& physics, const physics::Physics::Ray& ray);
+
+  LitPoint at(double t) const;
+  LitPoint unspread_at(double t) const;  // with unspread_sunbeam()
+
+  // Bending of the ray up to one of its points, rad; 0 where the air bends no light.
+  double bending_to(const physics::Physics::RayPoint& point) const;
+
+ private:
+  double bending_from(double h, double mu) const;
+
+  physics::Physics& physics_;
+  physics::Physics::Ray ray_;
+  double bending_;  // of the whole ray
+};
 
 // Direction of the sun that is seen at a point with this vertical.
 physics::vec3 seen_sun(const Sunbeam& beam, const physics::vec3& up, const physics::vec3& sun);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kNear = 1e-5;      // km: nearer than this to the terrain is on it
 constexpr double kShortest = 2e-4;  // km, of a step
-constexpr double kPartOfCell = 0.05;
+constexpr double kPartOfCell = 0.01;
 constexpr int kMostSteps = 20000;
 constexpr double kStretch = 1.02;  // most that distances on the map exceed those in the air, with some room
 
@@ -33,6 +33,23 @@ double steepest_slope(const physics::HostTerrain& maps) {
   return std::hypot(across, down) / t.texel;
 }
 
+// The greatest of each element and its neighbours, of numbers in rows.
+std::vector<float> with_neighbours(const std::vector<float>& values, int columns, int rows) {
+  std::vector<float> most(values.size());
+  for (int j = 0; j < rows; ++j) {
+    for (int i = 0; i < columns; ++i) {
+      float& here = most[static_cast<std::size_t>(j * columns + i)];
+      here = values[static_cast<std::size_t>(j * columns + i)];
+      for (int y = std::max(j - 1, 0); y <= std::min(j + 1, rows - 1); ++y) {
+        for (int x = std::max(i - 1, 0); x <= std::min(i + 1, columns - 1); ++x) {
+          here = std::max(here, values[static_cast<std::size_t>(y * columns + x)]);
+        }
+      }
+    }
+  }
+  return most;
+}
+
 }  // namespace
 
 TracedTerrain::TracedTerrain(const Scene& scene, std::shared_ptr<const physics::HostTerrain> maps)
@@ -40,7 +57,42 @@ TracedTerrain::TracedTerrain(const Scene& scene, std::shared_ptr<const physics::
       radius_(scene.planet.ground_radius),
       highest_(static_cast<double>(maps->heights->back())),
       steepest_(steepest_slope(*maps)) {
+  constexpr int kSmallest = 8;
+  constexpr int kTimes = 4;
+  const int columns = static_cast<int>(maps->shape.columns);
+  const int rows = static_cast<int>(maps->shape.rows);
+  for (int side = kSmallest; side < std::max(columns, rows); side *= kTimes) {
+    Squares& squares = squares_.emplace_back(Squares{side, (columns - 1) / side + 1, (rows - 1) / side + 1, {}});
+    std::vector<float> highest(static_cast<std::size_t>(squares.columns) * static_cast<std::size_t>(squares.rows));
+    for (int j = 0; j < rows; ++j) {
+      for (int i = 0; i < columns; ++i) {
+        float& here = highest[static_cast<std::size_t>(j / side * squares.columns + i / side)];
+        here = std::max(
+            here, (*maps->heights)[static_cast<std::size_t>(j) * maps->shape.columns + static_cast<std::size_t>(i)]);
+      }
+    }
+    squares.highest = with_neighbours(highest, squares.columns, squares.rows);
+  }
   physics_.terrain_maps = std::move(maps);
+}
+
+// Length of a ray over the map that meets nothing, since it passes over all that is as near: a lower bound.
+double TracedTerrain::free_way(const MapPlace& at, double altitude, double mu) const {
+  const double across = std::max(std::sqrt(std::max(1.0 - mu * mu, 0.0)), 0.01);
+  double free = 0.0;
+  for (const Squares& squares : squares_) {
+    const int i = static_cast<int>(at.column) / squares.side;
+    const int j = static_cast<int>(at.row) / squares.side;
+    const double over =
+        altitude - static_cast<double>(squares.highest[static_cast<std::size_t>(j * squares.columns + i)]);
+    if (over <= 0.0) {
+      break;
+    }
+    // A height between two cells is of both: a cell less.
+    const double beyond = (squares.side - 1) * physics_.terrain_maps->shape.texel / (kStretch * across);
+    free = std::max(free, mu < 0.0 ? std::min(beyond, over / -mu) : beyond);
+  }
+  return free;
 }
 
 TracedTerrain::MapPlace TracedTerrain::map_place(vec3 place) const {
@@ -56,10 +108,12 @@ TracedTerrain::MapPlace TracedTerrain::map_place(vec3 place) const {
   return at;
 }
 
-double TracedTerrain::clearance(vec3 place) const {
-  const MapPlace at = map_place(place);
-  const double altitude = length(place) - radius_;
+double TracedTerrain::clearance(const MapPlace& at, double altitude) const {
   return at.beside > 0.0 ? altitude : altitude - physics_.map_height(physics_.terrain_maps->shape, at.column, at.row);
+}
+
+double TracedTerrain::clearance(vec3 place) const {
+  return clearance(map_place(place), length(place) - radius_);
 }
 
 std::optional<double> TracedTerrain::hit(vec3 from, vec3 direction, double limit) const {
@@ -82,7 +136,7 @@ std::optional<double> TracedTerrain::hit(vec3 from, vec3 direction, double limit
       continue;
     }
     const MapPlace at = map_place(place);
-    const double clear = clearance(place);
+    const double clear = clearance(at, r - radius_);
     if (clear < kNear && at.beside <= 0.0) {
       if (t <= 0.0) {
         return 0.0;
@@ -96,7 +150,8 @@ std::optional<double> TracedTerrain::hit(vec3 from, vec3 direction, double limit
       return high < limit ? std::optional(high) : std::nullopt;
     }
     before = t;
-    const double safe = std::max(clear / (1.0 + kStretch * steepest_), at.beside / kStretch);
+    const double safe = std::max({clear / (1.0 + kStretch * steepest_), at.beside / kStretch,
+                                  at.beside > 0.0 ? 0.0 : free_way(at, r - radius_, mu)});
     // Over rough maps that step would be next to nothing: a small part of a cell misses no terrain of note.
     const double across = std::sqrt(std::max(1.0 - mu * mu, 0.0));
     const double part =

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "core/physics/physics.h"
 #include "core/scene/scene.h"
@@ -33,8 +34,18 @@ class TracedTerrain {
     double beside;  // km from the map along the ground; 0 above the map
   };
   MapPlace map_place(physics::vec3 place) const;
+  double clearance(const MapPlace& at, double altitude) const;
+  double free_way(const MapPlace& at, double altitude, double mu) const;
   double clearance(physics::vec3 place) const;
 
+  // The map in squares of so many cells a side.
+  struct Squares {
+    int side;
+    int columns;
+    int rows;
+    std::vector<float> highest;  // in each square and the eight around it, km
+  };
+  std::vector<Squares> squares_;  // small ones first
   mutable physics::Physics physics_;
   double radius_;    // of the planet
   double highest_;   // highest point of the terrain, km

@@ -154,7 +154,7 @@ PathTracer::Corner PathTracer::bent_corner(vec3 direction) const {
   Corner found;
   found.met = {kNothing, start.plan.thing, {}};
   if (start.ray.length_ > 0.0 && (start.plan.thing != kNoThing || start.ray.at_ground)) {
-    const LitPoint end = lit_point(physics_, start.ray, start.ray.length_);
+    const LitPoint end = LitRay(physics_, start.ray).at(start.ray.length_);
     const bool on_thing = start.plan.thing != kNoThing;
     found.met.place = on_thing ? start.plan.place : way_of(start).at(start.ray.length_).place;
     found.met.distance = start.plan.thing != kNoThing ? start.ray.length_ : kNothing;
