@@ -68,7 +68,7 @@ double BentWay::on_ray(const Chord& chord, double along) const {
 }
 
 BentWay::Point BentWay::at(double t) const {
-  return at(t, LitRay(physics_, ray_).bending_to(physics_.point_on_ray(physics_.scene.planet, ray_, t)));
+  return at(t, bending_of_flight(physics_, ray_, t));
 }
 
 BentWay::Point BentWay::at(double t, double bent) const {

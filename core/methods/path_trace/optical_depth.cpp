@@ -44,7 +44,7 @@ void OpticalDepth::add_piece(Shape shape, uint i, MediumData medium, double low,
   if (physics_.refraction && (shape == Shape::constant || shape == Shape::linear)) {
     // Over optical altitudes nothing is constant or quite linear, least near the ground.
     constexpr double kSmooth = 4.0;  // km
-    constexpr double kShare = 0.1;   // of the altitude
+    constexpr double kShare = 0.5;   // of the altitude
     shape = Shape::linear;
     for (double step = kSmooth; high - low > step; step = std::max(kSmooth, kShare * low)) {
       add(low, low + step);
@@ -197,7 +197,7 @@ double OpticalDepth::column(const Piece& piece, const Climb& path) const {
 // `fall`: scale heights between the panel's ends.
 const GaussRule& OpticalDepth::rule_for(const Piece& piece, double r, double length, double fall) const {
   if (piece.shape == Shape::linear) {
-    return plain_[length < 0.1 * r ? (physics_.refraction ? 4 : 3) : 10];
+    return plain_[length < 0.1 * r ? 3 : 10];
   }
   if (piece.shape == Shape::smooth) {
     return plain_[length < 0.1 * r ? kSmoothNodes : kMostNodes];

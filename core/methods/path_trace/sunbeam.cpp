@@ -9,8 +9,6 @@ using physics::vec3;
 
 namespace {
 
-constexpr double kApart = 1e-4;  // rad, of differences
-
 double across(double mu) {
   return std::sqrt(std::max(1.0 - mu * mu, 0.0));
 }
@@ -20,11 +18,16 @@ double raised(double mu, double angle) {
   return mu * std::cos(angle) + across(mu) * std::sin(angle);
 }
 
+// Gauss's rule for a part of a ray that is no longer than some hundreds of km.
+const GaussRule& rule_of_part() {
+  static const GaussRule rule = gauss_legendre(12);
+  return rule;
+}
+
 // Of a ray from altitude h along mu to the top of the air, as Physics::bending_to_top(), to 1e-6 rad. Twelve steps do,
 // but for the part between the lowest point and h, at whose ends the air is thick; Gauss's rule has that.
 double bending_to_top(physics::Physics& physics, double h, double mu) {
   constexpr physics::uint kSteps = 12;
-  static const GaussRule rule = gauss_legendre(12);
   const physics::PlanetData& planet = physics.scene.planet;
   const double sine = across(mu);
   const double r = planet.ground_radius + h;
@@ -32,7 +35,7 @@ double bending_to_top(physics::Physics& physics, double h, double mu) {
   const double level = std::max(mu, 0.0);
   const double above =
       physics.bending_upward(planet, lowest, level, physics.distance_to_top(planet, lowest, level), kSteps);
-  return mu < 0.0 ? above + bending_between(physics, lowest, 0.0, {0.0, -r * mu}, rule) : above;
+  return mu < 0.0 ? above + bending_between(physics, lowest, 0.0, {0.0, -r * mu}, rule_of_part()) : above;
 }
 
 // The same, below the horizon as at it.
@@ -40,26 +43,30 @@ double bending(physics::Physics& physics, double h, double horizon, double mu) {
   return bending_to_top(physics, h, std::max(mu, horizon));
 }
 
-// The angle that is the bending of a sun lifted by it. Bending falls with the lift, so that the angle lies between the
-// least lift, the horizon's, and the bending there: the Illinois rule of false position.
+// A sun that is lifted by its own bending.
+struct Lift {
+  double angle;    // rad
+  double bending;  // of a sun lifted so, within 1e-9 of the angle
+};
+
+// Bending falls with the lift, so that the lift lies between the least one, the horizon's, and the bending there: the
+// Illinois rule of false position.
 template <class Bending>
-double lift_of(double least, const Bending& bending) {
+Lift lift_of(double least, const Bending& bending) {
   constexpr int kMostTurns = 20;
   constexpr double kNear = 1e-9;
   double low = least;
   double above = bending(low) - low;
   if (above <= kNear) {
-    return low;
+    return {low, low + above};
   }
   double high = low + above;
   double below = bending(high) - high;
-  for (int turn = 0, side = 0; turn < kMostTurns; ++turn) {
-    const double slope = (below - above) / (high - low);
-    const double lift = low - above / slope;
-    const double off = bending(lift) - lift;
-    if (std::abs(off) < kNear) {
-      return lift - off / slope;
-    }
+  double lift = high;
+  double off = below;
+  for (int turn = 0, side = 0; turn < kMostTurns && std::abs(off) > kNear; ++turn) {
+    lift = (low * below - high * above) / (below - above);
+    off = bending(lift) - lift;
     if (off > 0.0) {
       low = lift;
       above = off;
@@ -72,7 +79,7 @@ double lift_of(double least, const Bending& bending) {
       side = -1;
     }
   }
-  return 0.5 * (low + high);
+  return {lift, lift + off};
 }
 
 }  // namespace
@@ -102,8 +109,9 @@ Sunbeam unspread_sunbeam(physics::Physics& physics, double h, double mu_sun) {
   }
   const double horizon = physics.horizon_mu(planet, h);
   const double least = std::max(std::acos(std::clamp(mu_sun, -1.0, 1.0)) - std::acos(horizon), 0.0);
-  const double angle = lift_of(least, [&](double lift) { return bending(physics, h, horizon, raised(mu_sun, lift)); });
-  beam.mu = std::max(raised(mu_sun, angle), horizon);
+  const Lift lift = lift_of(least, [&](double angle) { return bending(physics, h, horizon, raised(mu_sun, angle)); });
+  beam.mu = std::max(raised(mu_sun, lift.angle), horizon);
+  beam.bent = lift.bending;
   return beam;
 }
 
@@ -113,11 +121,10 @@ double spread_of(physics::Physics& physics, double h, const Sunbeam& beam) {
   if (!physics.refraction || !beam.up) {
     return 1.0;
   }
+  constexpr double kApart = 1e-5;  // rad
   const double horizon = physics.horizon_mu(physics.scene.planet, h);
-  const auto after = [&](double angle) { return bending(physics, h, horizon, raised(beam.mu, angle)); };
-  const double here = after(0.0);
-  const double slope = (3.0 * here - 4.0 * after(kApart) + after(2.0 * kApart)) / (2.0 * kApart);
-  return physics.beam_spread(physics.scene.planet, h, beam.mu, here, slope);
+  const double slope = (beam.bent - bending(physics, h, horizon, raised(beam.mu, kApart))) / kApart;
+  return physics.beam_spread(physics.scene.planet, h, beam.mu, beam.bent, slope);
 }
 
 }  // namespace
@@ -139,8 +146,18 @@ double LitRay::bending_from(double h, double mu) const {
   return ray_.falls ? -bending_to_top(physics_, h, -mu) : bending_to_top(physics_, h, mu);
 }
 
-double LitRay::bending_to(const physics::Physics::RayPoint& point) const {
+double LitRay::bending_to(double t) const {
+  const auto point = physics_.point_on_ray(physics_.scene.planet, ray_, t);
   return bending_ - bending_from(point.h, point.mu);
+}
+
+double bending_of_flight(physics::Physics& physics, const physics::Physics::Ray& ray, double t) {
+  constexpr double kShort = 100.0;  // km
+  if (!physics.refraction) {
+    return 0.0;
+  }
+  return t < kShort ? bending_between(physics, ray.h, ray.mu, {0.0, t}, rule_of_part())
+                    : LitRay(physics, ray).bending_to(t);
 }
 
 LitPoint LitRay::unspread_at(double t) const {
@@ -148,7 +165,7 @@ LitPoint LitRay::unspread_at(double t) const {
   if (!physics_.refraction) {
     return {straight, unspread_sunbeam(physics_, straight.h, straight.mu_sun), ray_.nu};
   }
-  const double bent = bending_to(straight);
+  const double bent = bending_ - bending_from(straight.h, straight.mu);
   const double s = across(straight.mu);
   const double ahead = s > 1e-9 ? (ray_.nu - straight.mu * straight.mu_sun) / s : 0.0;
   LitPoint lit;

@@ -10,6 +10,7 @@ struct Sunbeam {
   bool up = false;      // not behind the planet
   double mu = 0.0;      // zenith cosine of the sun that is seen there
   double spread = 1.0;  // irradiance over that of the same beam unbent
+  double bent = 0.0;    // angle by which it is bent, rad
 };
 
 // `mu_sun`: zenith cosine of the true sun.
@@ -43,8 +44,8 @@ class LitRay {
   LitPoint at(double t) const;
   LitPoint unspread_at(double t) const;  // with unspread_sunbeam()
 
-  // Bending of the ray up to one of its points, rad; 0 where the air bends no light.
-  double bending_to(const physics::Physics::RayPoint& point) const;
+  // Bending of the ray up to a distance, rad; 0 where the air bends no light.
+  double bending_to(double t) const;
 
  private:
   double bending_from(double h, double mu) const;
@@ -53,6 +54,9 @@ class LitRay {
   physics::Physics::Ray ray_;
   double bending_;  // of the whole ray
 };
+
+// LitRay::bending_to() of a distance that alone is asked for.
+double bending_of_flight(physics::Physics& physics, const physics::Physics::Ray& ray, double t);
 
 // Direction of the sun that is seen at a point with this vertical.
 physics::vec3 seen_sun(const Sunbeam& beam, const physics::vec3& up, const physics::vec3& sun);

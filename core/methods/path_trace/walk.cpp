@@ -196,7 +196,7 @@ bool Walk::fly(State& state, const FlightPlan& plan, double u) const {
   state.h = collision.at_ground && plan.thing == kNoThing ? 0.0 : point.h;
   state.mu_sun = point.mu_sun;
   if (physics_.refraction) {
-    turn_by(state, LitRay(physics_, ray).bending_to(point));
+    turn_by(state, bending_of_flight(physics_, ray, collision.distance));
   }
   if (physics_.refraction && state.thing != kNoThing) {
     // On the thing itself, of which the ray's chord may be off by a metre.
