@@ -121,7 +121,7 @@ double spread_of(physics::Physics& physics, double h, const Sunbeam& beam) {
   if (!physics.refraction || !beam.up) {
     return 1.0;
   }
-  constexpr double kApart = 1e-5;  // rad
+  constexpr double kApart = 1e-6;  // rad
   const double horizon = physics.horizon_mu(physics.scene.planet, h);
   const double slope = (beam.bent - bending(physics, h, horizon, raised(beam.mu, kApart))) / kApart;
   return physics.beam_spread(physics.scene.planet, h, beam.mu, beam.bent, slope);
