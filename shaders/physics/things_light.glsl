@@ -53,16 +53,20 @@ struct SkyPast {
 };
 
 // Bodies before a surface: the ball of each hides a part of its hemisphere, as if the sky were even, and shines there
-// as a sphere in the sun and in even light from all around. Bodies do not hide one another.
+// as a matte sphere in the sun, or throws sunlight as a mirror, and in even light from all around. Bodies do not hide
+// one another.
 SkyPast with_bodies(SkyPast sky, Surface surface, vec3 sun, vec3 direct, vec3 even) {
   for (uint i = 0u; i < body_count(); i++) {
     SphereData s = ball_of_body(i);
     vec3 to = s.centre - surface.place.point;
     real hidden = i == surface.which ? 0.0 : hidden_by_sphere(s, to, surface.normal);
-    bool mirror = s.material == kSphereMirror;
-    real lit = mirror ? 0.25 : lit_of_sphere(-dot(to, sun) / max(length(to), 1e-12));
     sky.share = sky.share * (1.0 - hidden);
-    sky.more = sky.more + s.albedo * (direct * lit + even) * hidden;
+    real lit = 0.0;
+    if (i != surface.which) {
+      lit = s.material == kSphereMirror ? thrown_by_mirror(s, to, surface.normal, sun)
+                                        : lit_of_sphere(s, to, surface.normal, sun) * hidden;
+    }
+    sky.more = sky.more + s.albedo * (direct * lit + even * hidden);
   }
   return sky;
 }

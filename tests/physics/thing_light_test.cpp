@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "core/physics/physics.h"
 
@@ -72,9 +73,11 @@ TEST(ThingLight, ASphereHidesWhatItsRaysMeet) {
   }
 }
 
-// Mean radiance over the disc that a matte sphere shows, by a sum.
-TEST(ThingLight, AMatteSphereShinesByItsPhase) {
+// Mean radiance over the disc that a matte sphere shows from afar, by a sum.
+TEST(SphereLight, IsThatOfThePhaseFarAway) {
   Physics p;
+  physics::SphereData s{};
+  s.radius = 1.0;
   constexpr int kSide = 400;
   for (const double angle : {0.0, 0.4, 1.2, 0.5 * std::numbers::pi, 2.4, std::numbers::pi}) {
     const vec3 sun(std::sin(angle), 0.0, std::cos(angle));
@@ -88,7 +91,105 @@ TEST(ThingLight, AMatteSphereShinesByItsPhase) {
         sum += std::max(physics::dot(normal, sun), 0.0);
       }
     }
-    EXPECT_NEAR(p.lit_of_sphere(std::cos(angle)), sum / (kSide * kSide), 2e-4) << angle;
+    const vec3 to(0.0, 0.0, -1e4);
+    EXPECT_NEAR(p.lit_of_sphere(s, to, vec3(0.0, 0.0, -1.0), sun), sum / (kSide * kSide), 3e-4) << angle;
+  }
+}
+
+// Irradiance of level ground by a white sphere in the sun, by a sum over directions.
+double light_by_sum(Physics& p, const physics::SphereData& s, const vec3& sun) {
+  constexpr int kSide = 300;
+  double sum = 0.0;
+  for (int i = 0; i < kSide; ++i) {
+    for (int j = 0; j < kSide; ++j) {
+      const double square = (i + 0.5) / kSide;
+      const double turn = 2.0 * std::numbers::pi * (j + 0.5) / kSide;
+      const vec3 d(std::sqrt(square) * std::cos(turn), std::sqrt(1.0 - square), std::sqrt(square) * std::sin(turn));
+      const double t = p.distance_to_sphere(s, vec3(0.0), d);
+      sum += t > 0.0 ? std::max(physics::dot(d * t - s.centre, sun), 0.0) / s.radius : 0.0;
+    }
+  }
+  return sum / (kSide * kSide);
+}
+
+// From where it touches the ground to far away, in front, aside and behind, under low and high suns.
+TEST(SphereLight, IsThatOfAllItsPoints) {
+  Physics p;
+  physics::SphereData s{};
+  s.radius = 0.5;
+  double light = 0.0;
+  double off = 0.0;
+  double bias = 0.0;
+  double worst = 0.0;
+  for (const double elevation : {0.05, 0.16, 0.44, 0.9, 1.4}) {
+    for (const double azimuth : {0.0, 0.4, 1.05, 1.57, 2.1, 2.8, 3.14}) {
+      const vec3 sun(std::cos(elevation) * std::cos(azimuth), std::sin(elevation),
+                     std::cos(elevation) * std::sin(azimuth));
+      for (const double distance : {0.1, 0.2, 0.3, 0.5, 0.8, 1.2, 2.5}) {
+        for (const double height : {0.5, 1.0}) {
+          s.centre = vec3(-distance, height, 0.0);
+          const vec3 up(0.0, 1.0, 0.0);
+          const double truth = light_by_sum(p, s, sun);
+          const double found = p.hidden_by_sphere(s, s.centre, up) * p.lit_of_sphere(s, s.centre, up, sun);
+          light += truth;
+          off += std::abs(found - truth);
+          bias += found - truth;
+          worst = std::max(worst, std::abs(found - truth));
+        }
+      }
+    }
+  }
+  EXPECT_LT(off, 0.12 * light);
+  EXPECT_LT(std::abs(bias), 0.08 * light);
+  EXPECT_LT(worst, 0.012) << "of a surface that faces the sun";
+}
+
+// Sunlight that a mirror throws on level ground: beams that fall evenly on the sphere are turned and counted where they
+// meet the ground.
+TEST(SphereLight, OfAMirrorIsThatOfItsBeams) {
+  Physics p;
+  physics::SphereData s{};
+  s.radius = 0.5;
+  s.centre = vec3(0.0, 0.7, 0.0);
+  const vec3 up(0.0, 1.0, 0.0);
+  for (const double elevation : {0.2, 0.6, 1.2}) {
+    const vec3 sun(std::cos(elevation), std::sin(elevation), 0.0);
+    const vec3 across(0.0, 0.0, 1.0);
+    const vec3 upright = physics::cross(across, sun);
+    struct Cell {
+      double x, z;
+      int count = 0;
+    };
+    // In front, below, aside, behind, and in the shadow.
+    const double shadow = -0.7 / std::tan(elevation);
+    std::vector<Cell> cells{{1.5, 0.0}, {0.6, 0.3}, {0.0, 1.2}, {-0.8, 1.0}, {-2.0, -1.5}, {shadow, 0.05}};
+    constexpr int kSide = 3000;
+    constexpr double kHalf = 0.05;  // of a cell
+    for (int i = 0; i < kSide; ++i) {
+      for (int j = 0; j < kSide; ++j) {
+        const double u = 2.0 * (i + 0.5) / kSide - 1.0;
+        const double v = 2.0 * (j + 0.5) / kSide - 1.0;
+        if (u * u + v * v >= 1.0) {
+          continue;
+        }
+        const vec3 normal = across * u + upright * v + sun * std::sqrt(1.0 - u * u - v * v);
+        const vec3 way = normal * (2.0 * physics::dot(normal, sun)) - sun;
+        const vec3 from = s.centre + normal * s.radius;
+        if (way.y >= 0.0) {
+          continue;
+        }
+        const vec3 met = from - way * (from.y / way.y);
+        for (Cell& cell : cells) {
+          cell.count += std::abs(met.x - cell.x) < kHalf && std::abs(met.z - cell.z) < kHalf ? 1 : 0;
+        }
+      }
+    }
+    const double each = s.radius * s.radius * 4.0 / (kSide * kSide) / (4.0 * kHalf * kHalf);
+    for (const Cell& cell : cells) {
+      const double truth = cell.count * each;
+      const double found = p.thrown_by_mirror(s, s.centre - vec3(cell.x, 0.0, cell.z), up, sun);
+      EXPECT_NEAR(found, truth, 0.03 * truth + 1e-5) << elevation << " " << cell.x << " " << cell.z;
+    }
   }
 }
 
