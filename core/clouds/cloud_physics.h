@@ -16,6 +16,7 @@ struct CloudEdgePhysics {
 #include "shaders/physics/cloud_edge.glsl"
 };
 
+#define UNROLL  // a mark for the shaders' compiler
 struct CloudPhysics : Physics {
 #include "shaders/physics/cloud_air.glsl"
 #include "shaders/physics/cloud_harmonics.glsl"
@@ -23,6 +24,7 @@ struct CloudPhysics : Physics {
 #include "shaders/physics/cloud_march.glsl"
 #include "shaders/physics/cloud_sun.glsl"
 };
+#undef UNROLL
 
 }  // namespace physics
 

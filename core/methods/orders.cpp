@@ -80,7 +80,7 @@ const std::array<ParameterInfo, 14> kParameters{
         "and blurs beams; march: in each step of a march along each ray, the reference, among clouds as exact; false: "
         "not at all"),
     parameter::table_size(
-        "cloud_lut", 4, 256, TableSize{72, 15},
+        "cloud_lut", 4, 256, TableSize{90, 15},
         "cells of the light that a cloud scatters more than once, over the field's width and depth x upward"),
     parameter::choice("cloud_resolution", kCloudResolutions, "half",
                       "half: march through clouds at every second pixel each way and go between, but where their light "

@@ -17,7 +17,7 @@ layout(local_size_x = 64) in;
 layout(set = 0, binding = 17) uniform sampler2D cloud_sums_lut;  // passes/cloud_sums.comp
 layout(scalar, set = 0, binding = 18) buffer Light { CloudLight values[]; } light_out;  // of fields, the lowest first
 
-// Light from all around in clear air, and its parts from above and from below.
+// Light from all around in clear air, but for that from about the sun, and its parts from above and from below.
 struct Sides {
   vec3 around;
   vec3 above;
@@ -33,6 +33,18 @@ vec3 light_on_ground(float mu_sun) {
          moment_ground_irradiance(scene.moments, mu_sun);
 }
 
+// Light that clouds shade as the sun's rays are shaded: the sun's and that from about it.
+vec3 beam_at(float h, float mu_sun) {
+  return transmittance_to_sun(scene.planet, h, mu_sun) +
+         light_around_sun(air_moment_coordinate(scene.moments, h, mu_sun), h, mu_sun);
+}
+
+// Irradiance of a level plane from above by all other light. `facing`: the sun's zenith cosine, as it is seen.
+vec3 sky_at(float h, float mu_sun, float facing) {
+  MomentCoordinate at = air_moment_coordinate(scene.moments, h, mu_sun);
+  return max(level_irradiance(at, 1.0) - light_around_sun(at, h, mu_sun) * facing, vec3(0.0));
+}
+
 // By moments of degree 1 the ground sends too much, since they do not know that light changes abruptly at its horizon:
 // what it sends is known. The excess fades upward about as the fourth power of the air above (core/CLOUDS.md).
 Sides sides_at(float h, float mu_sun) {
@@ -41,7 +53,7 @@ Sides sides_at(float h, float mu_sun) {
   vec3 excess = light_from_side(air_moment_coordinate(scene.moments, 0.0, mu_sun), -1.0) - sent;
   vec3 left = min(depth_above(h) / max(depth_above(0.0), vec3(1e-30)), vec3(1.0));
   Sides sides;
-  sides.around = light_from_all_around(at);
+  sides.around = max(light_from_all_around(at) - light_around_sun(at, h, mu_sun), vec3(1e-30));
   sides.below = clamp(light_from_side(at, -1.0) - excess * left * left * left * left, vec3(0.0), sides.around);
   sides.above = sides.around - sides.below;
   return sides;
@@ -63,11 +75,10 @@ void main() {
   float mu_sun = scene.sun.direction.y;
   float h = optical_altitude_at(c.base);
   float facing = max(seen_sun_mu(scene.planet, h, mu_sun), 0.0);
-  MomentCoordinate at = air_moment_coordinate(scene.moments, h, mu_sun);
-  vec3 direct = transmittance_to_sun(scene.planet, h, mu_sun) * facing;
-  vec3 sky = level_irradiance(at, 1.0);
+  vec3 direct = beam_at(h, mu_sun) * facing;
+  vec3 sky = sky_at(h, mu_sun, facing);
   vec3 clear = max(direct + sky, vec3(1e-30));
-  vec3 up = level_irradiance(at, -1.0);
+  vec3 up = level_irradiance(air_moment_coordinate(scene.moments, h, mu_sun), -1.0);
   for (uint below = 0u; below < kField; below++) {
     up = max(up + light_out.values[below].above * clear, vec3(0.0));
   }
@@ -78,11 +89,13 @@ void main() {
   CloudLight light;
   light.below = first / max(vec3(1.0) - up / clear * (sum.z / kPi), vec3(0.05));
   light.direct = sum.w;
+  vec3 sun_on_ground = transmittance_to_sun(scene.planet, 0.0, mu_sun);
+  light.near_sun = (beam_at(0.0, mu_sun) - sun_on_ground) / max(sun_on_ground, vec3(1e-20));
   light.forward = texelFetch(cloud_sums_lut, ivec2(1, 0), 0).w;
   float top = optical_altitude_at(c.top);
   Sides base = sides_at(h, mu_sun);
   Sides summit = sides_at(top, mu_sun);
-  vec3 sun_above = transmittance_to_sun(scene.planet, top, mu_sun) * facing;
+  vec3 sun_above = beam_at(top, mu_sun) * facing;
   // Of the light from above at the base, and from below at the top, the rest comes from the air in between.
   vec3 between = max(depth_above(h) - depth_above(top), vec3(0.0));
   vec3 through_air = even_transmittance(between);
@@ -97,12 +110,13 @@ void main() {
   vec3 of_ground = even_transmittance(max(depth_above(0.0) - depth_above(middle), vec3(0.0)));
   vec3 on_ground = 2.0 * scene.planet.ground_albedo * light_on_ground(mu_sun);
   vec3 lit_ground = on_ground * of_ground;
-  vec3 of_air = light_from_all_around(air_moment_coordinate(scene.moments, middle, mu_sun));
+  MomentCoordinate in_middle = air_moment_coordinate(scene.moments, middle, mu_sun);
+  vec3 of_air = light_from_all_around(in_middle) - light_around_sun(in_middle, middle, mu_sun);
   of_air = max(of_air - base.above * of_field - lit_ground, vec3(0.0));
   vec3 around = of_air + base.above * of_field + lit_ground;
   float past = exp(-mean_shade(c, way_through_shell(scene.planet.ground_radius, c, 0.5 * c.base,
                                                       seen_sun_mu(scene.planet, middle, mu_sun))));
-  vec3 beam = transmittance_to_sun(scene.planet, middle, mu_sun);
+  vec3 beam = beam_at(middle, mu_sun);
   vec3 sources = max(beam + around, vec3(1e-30));
   vec3 scale = vec3(1.0) / max(around - of_air * around / sources, vec3(1e-30));
   vec3 sun_leaving = direct * across;
@@ -126,8 +140,7 @@ void main() {
   light.at_base.rest = falling_air / base.around;  // likewise
 
   // At the top. The sky that is reflected counts by what falls on a level plane.
-  MomentCoordinate over = air_moment_coordinate(scene.moments, top, mu_sun);
-  vec3 falling_sky = level_irradiance(over, 1.0);
+  vec3 falling_sky = sky_at(top, mu_sun, facing);
   light.at_top.sun = sun_above * across / summit.around;
   light.at_top.sky = falling_sky / kPi / summit.around;
   light.at_top.ground = sent * through_air / (2.0 * kPi) / summit.around;
@@ -136,7 +149,7 @@ void main() {
   // What the air in between sends, of sunlight and of light from all around, and what of it leaves the field: by
   // reciprocity as light from there would reach it.
   uint levels = uint(textureSize(cloud_sums_lut, 0).x) - 4u;
-  vec3 beam_between = transmittance_to_sun(scene.planet, 0.5 * (h + top), mu_sun);
+  vec3 beam_between = beam_at(0.5 * (h + top), mu_sun);
   vec3 around_between = 0.5 * (base.around + summit.around);
   vec3 falls = vec3(0.0);
   vec3 rises = vec3(0.0);
@@ -165,8 +178,8 @@ void main() {
   light.fading = vec3(1.0) - even_transmittance(upward);
   light.scale_height = kHigher / max(log(max(upward.z, 1e-9) / max(higher.z, 1e-12)), 1e-2);
   vec4 risen = texelFetch(cloud_sums_lut, ivec2(2, 0), 0);
-  vec3 from_above = sun_above * (risen.x * across) + level_irradiance(over, 1.0) * (risen.y / kPi);
-  vec3 clear_above = max(sun_above + level_irradiance(over, 1.0), vec3(1e-30));
+  vec3 from_above = sun_above * (risen.x * across) + falling_sky * (risen.y / kPi);
+  vec3 clear_above = max(sun_above + falling_sky, vec3(1e-30));
   light.above = (from_above + up * (light.below * (risen.z / kPi) - 1.0)) / clear_above;
   light_out.values[kField] = light;
 }

@@ -35,3 +35,35 @@ vec3 light_from_side(MomentCoordinate c, real side) {
   }
   return exp(fetch_moment(0u, c.x, c.y)) * max(sum, vec3(0.0));
 }
+
+// Of the light from all around what comes from about the sun, and is shaded as its rays are: irradiance across these,
+// for a sun of irradiance 1. Haze turns light little: a share chi_2 of what it scatters counts as not turned, as where
+// harmonics are kept up to degree 1 [W76]. The table's degree 4 tells how much haze has scattered. There it has chi_4
+// of its light; molecules have none, and a sky that brightens toward its horizon and the ground below have little.
+// 0 where the table does not reach so far: haze is then thin.
+vec3 light_around_sun(MomentCoordinate c, real h, real mu_sun) {
+  const uint kDegree = 4u;
+  const real kMost = 4.0;  // chi_2 over chi_4: what scatters more evenly has no peak
+  if (moment_degree() < kDegree) {
+    return vec3(0.0);
+  }
+  Densities d = densities_at(h);
+  vec3 unturned = vec3(0.0);
+  vec3 kept = vec3(0.0);
+  UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
+    if (i < medium_count()) {
+      MediumData m = medium(i);
+      vec3 chi = max(m.legendre[kDegree], vec3(0.0));
+      kept = kept + m.scattering * d.of[i] * chi;
+      unturned = unturned + m.scattering * d.of[i] * min(max(m.legendre[2], vec3(0.0)), chi * kMost);
+    }
+  }
+  Harmonics y = harmonics(mu_sun, 1.0);
+  vec3 sum = vec3(0.0);
+  UNROLL for (uint m = 0u; m <= kDegree; m++) {
+    uint k = moment_place(kDegree, m);
+    sum = sum + fetch_moment(k, c.x, c.y) * y.of[k];
+  }
+  vec3 light = exp(fetch_moment(0u, c.x, c.y)) * max(sum, vec3(0.0)) * (4.0 * kPi / 9.0);
+  return min(light * unturned / max(kept, vec3(1e-30)), light_from_all_around(c));
+}

@@ -79,6 +79,7 @@ struct CloudLight {
   CloudAround under;  // below the cloud, at its base, and at its top
   CloudAround at_base;
   CloudAround at_top;
+  vec3 near_sun;      // light from about the sun on the ground, over the sun's
   vec3 fading;        // share of what the cloud changes above it that the air up to space takes
   real scale_height;  // km, of the air above the top
 };

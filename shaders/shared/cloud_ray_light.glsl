@@ -139,9 +139,11 @@ vec3 ground_change(Ray ray, vec3 direction) {
   RayPoint point = sunlit_among_things(scene.planet, ray, ray.length_);
   vec3 place = cloud_place(scene.planet.ground_radius, cloud(), ray.h, direction, ray.length_);
   vec3 direct = transmittance_to_sun(scene.planet, 0.0, point.mu_sun) * ground_facing(scene.planet, point.mu_sun);
-  vec3 clear = direct + moment_ground_irradiance(scene.moments, point.mu_sun);
+  vec3 sky = moment_ground_irradiance(scene.moments, point.mu_sun);
+  vec3 clear = direct + sky;
   float lit = exp(-cloud_shade(place, 0.0, point.mu_sun));
   CloudLight light = light_of_cloud();
+  direct += min(direct * light.near_sun, sky);
   if (kFields > 1u) {
     OtherFields past = past_other_fields(direction, ray.length_, 0.0, point.mu_sun);
     lit *= exp(-past.shade);

@@ -1,5 +1,5 @@
-// The air's light among clouds: its sunlight scattered once where the cloud's shadow leaves the sun, the rest by the
-// light below and above the cloud.
+// The air's light among clouds: its sunlight scattered once, and light from about the sun, where the cloud's shadow
+// leaves the sun; the rest by the light below and above the cloud.
 #include "shared/cloud_balance.glsl"
 #include "shared/cloud_stack.glsl"
 
@@ -57,15 +57,30 @@ ShadedAir no_shaded_air() {
   return air;
 }
 
-// What the air of a stretch would send, were a clear sky's light as bright in all directions, over what it sends. A
-// clear sky is brightest around the sun, and haze turns light little.
-vec3 evenness(Ray ray, ShadedAir air, ClearAir next, float to) {
+// Light that the air of a stretch scatters more than once, as a clear sky does.
+struct MoreAir {
+  vec3 near_sun;  // of light from about the sun
+  vec3 others;    // of all other light
+  vec3 even;      // what the others would be, were they as bright in all directions, over them
+};
+
+// Light from about the sun is scattered as the sun's is. It is not as sharp, so the others are no less than were they
+// even, where haze turns the light toward the camera.
+MoreAir more_air(Ray ray, ShadedAir air, ClearAir next, float to) {
   const float kMost = 4.0;
   RayPoint point = sunlit_among_things(scene.planet, ray, 0.5 * (air.distance_ + to));
-  vec3 around = light_from_all_around(air_moment_coordinate(scene.moments, point.h, point.mu_sun)) / (4.0 * kPi);
+  MomentCoordinate at = air_moment_coordinate(scene.moments, point.h, point.mu_sun);
+  vec3 near_sun = light_around_sun(at, point.h, point.mu_sun);
   vec3 past = exp(-air.clear.depth) * segment_transfer(max(next.depth - air.clear.depth, vec3(0.0))).mean;
-  vec3 even = around * air_at(point.h, equal_phases(0.0)).scattering * past * (to - air.distance_);
-  return min(even / max(next.open - air.clear.open, vec3(1e-20)), vec3(kMost));
+  vec3 even = air_at(point.h, equal_phases(0.0)).scattering * past * (to - air.distance_);
+  even *= (light_from_all_around(at) - near_sun) / (4.0 * kPi);
+  vec3 over_sun = near_sun / max(transmittance_to_sun(scene.planet, point.h, point.mu_sun), vec3(1e-20));
+  vec3 more = max(next.more - air.clear.more, vec3(0.0));
+  MoreAir of;
+  of.near_sun = min(max(next.once - air.clear.once, vec3(0.0)) * over_sun, max(more - even, vec3(0.0)));
+  of.others = more - of.near_sun;
+  of.even = min(even / max(next.open - air.clear.open - of.near_sun, vec3(1e-20)), vec3(kMost));
+  return of;
 }
 
 // Goes on to a distance; the sun is asked for in the middles of so many parts, all other light in the middle of all.
@@ -92,8 +107,9 @@ ShadedAir shaded_up_to(ShadedAir air, Ray ray, FactorPlace at, vec3 direction, f
   MoreLight more = more_light_at(middle);
   lit /= max(sunny, 1.0);
   ClearAir next = clear_air_up_to(ray, at, optical_up_to(ray, to));
-  vec3 share = (more.share + more.even * (evenness(ray, air, next, to) - 1.0)) * others;
-  air.left += max(next.once - air.clear.once, vec3(0.0)) * lit + max(next.more - air.clear.more, vec3(0.0)) * share;
+  MoreAir of = more_air(ray, air, next, to);
+  vec3 share = (more.share + more.even * (of.even - 1.0)) * others;
+  air.left += (max(next.once - air.clear.once, vec3(0.0)) + of.near_sun) * lit + of.others * share;
   air.clear = next;
   air.distance_ = to;
   return air;

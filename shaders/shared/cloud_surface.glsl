@@ -21,13 +21,15 @@ float sun_past_cloud(Place place, PlaceSun sun) {
   return exp(-shade);
 }
 
-// The sky's light below the cloud is what the cloud lets through of all light, less its sunlight that passes unscattered.
-// As far as this is less than the clear sky's, the sky is dimmed; what is more comes evenly from above. Above the cloud
-// the light that it sends up counts. `lit`: share of the sun past the cloud. Among several fields it is the highest.
+// The sky's light below the cloud is what the cloud lets through of all light, less what passes unscattered of the
+// sun's and of light from about it, which the cloud shades at each place. As far as this is less than the clear sky's,
+// the sky is dimmed; what is more comes evenly from above. Above the cloud the light that it sends up counts. `lit`:
+// share of the sun past the cloud. Among several fields it is the highest.
 SkyPast sky_past_cloud(SkyPast sky, Surface surface, PlaceSun sun, float lit) {
   vec3 direct = sun_through_air(scene.planet, 0.0, sun.mu) * max(dot(sun.seen, surface.place.up), 0.0);
   vec3 clear = moment_ground_irradiance(scene.moments, sun.mu);
   CloudLight light = light_of_cloud();
+  vec3 near_sun = min(direct * light.near_sun, clear);
   vec3 over = vec3(1.0);  // by the fields below the surface
   if (kFields > 1u) {
     OtherFields past = past_other_fields_at(surface.place, sun);
@@ -35,7 +37,7 @@ SkyPast sky_past_cloud(SkyPast sky, Surface surface, PlaceSun sun, float lit) {
     light.direct *= past.direct;
     over = past.over;
   }
-  vec3 below = max((direct + clear) * light.below - direct * light.direct, vec3(0.0));
+  vec3 below = max((direct + clear) * light.below - (direct + near_sun) * light.direct, vec3(0.0)) + near_sun * lit;
   vec3 more = max(below - clear, vec3(0.0));
   vec3 from_ground = scene.planet.ground_albedo * (more - direct * (1.0 - light.direct));
   float height = clamp(place_in_cloud(surface.place.point).z, 0.0, 1.0);

@@ -343,5 +343,37 @@ TEST(CarvedClouds, ShadeLightScatteredMoreThanOnce) {
   }
 }
 
+// The air before black ground below dense black heaps, in haze under a low sun. What haze scatters a second time came
+// mostly from about the sun, and the heaps shade it as they shade the sun. Were it taken as even over the sky, so that
+// gaps anywhere let it through, red and green would be 9 to 10 % too bright.
+TEST(CarvedClouds, ShadeLightFromAboutTheSun) {
+  Scene scene = with_method(earth(), *find_method("orders"));
+  scene.media.at(1).scattering = {0.05, 0.06, 0.07};  // 1/km: haze of depth 0.06 to 0.08
+  scene.planet.ground_albedo = {};
+  scene.sun.elevation = radians(12.0);
+  scene.sun.azimuth = radians(130.0);
+  scene.sun.disc.visible = false;
+  scene.camera.altitude = 0.1;
+  scene.camera.azimuth = radians(180.0);
+  scene.camera.pitch = radians(-4.0);
+  scene.camera.vertical_fov = radians(6.0);
+  scene.image = {32, 6};
+  scene.clouds = among_cumulus(12.0, 0.4).clouds;
+  scene.clouds.front().seed = 13;
+  scene.clouds.front().single_scattering_albedo = 0.0;
+  const std::vector<float> found = rgb_of(render_now(scene).radiance.rgba);
+  const std::vector<float> truth = rgb_of(render_now(traced(scene, 256)).radiance.rgba);
+  for (std::size_t c = 0; c < 3; ++c) {
+    double sum = 0.0;
+    double expected = 0.0;
+    for (std::size_t i = c; i < found.size(); i += 3) {
+      sum += static_cast<double>(found[i]);
+      expected += static_cast<double>(truth[i]);
+    }
+    std::printf("air in shade, channel %zu: %+.1f %%\n", c, 100.0 * (sum / expected - 1.0));
+    EXPECT_NEAR(sum / expected, 1.0, c == 2 ? 0.05 : 0.07) << c;
+  }
+}
+
 }  // namespace
 }  // namespace airlight::test
