@@ -57,11 +57,18 @@ Sky sky_of(const Stage& stage, std::size_t tile_bytes) {
   return sky;
 }
 
+// Passes of a table that the device had at once with one of the picture count as the picture's.
+bool is_of_tables(const Sky& sky, std::string_view names) {
+  const std::size_t end = names.find(kAtOnce);
+  return sky.table_passes.contains(names.substr(0, end)) &&
+         (end == std::string_view::npos || is_of_tables(sky, names.substr(end + kAtOnce.size())));
+}
+
 double milliseconds_of(const std::vector<RunResult>& results, const Sky& sky, bool tables) {
   double sum = 0.0;
   for (const RunResult& result : results) {
     for (const PassTiming& pass : result.passes) {
-      sum += sky.table_passes.contains(pass.name) == tables ? pass.milliseconds : 0.0;
+      sum += is_of_tables(sky, pass.name) == tables ? pass.milliseconds : 0.0;
     }
   }
   return sum;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/gpu/embedded_shaders.h"
@@ -37,6 +38,10 @@ struct DeviceOptions {
   // between several kinds of scenes without compiling one anew.
   std::size_t pipelines_max = 160;
 };
+
+// Between the names of passes that the device, no processor, had at once: those between two barriers. They have one
+// time.
+inline constexpr std::string_view kAtOnce = " + ";
 
 struct PassTiming {
   std::string name;

@@ -55,12 +55,12 @@ class Run {
   void record_contents(VkCommandBuffer commands);
   void record_image_contents(VkCommandBuffer commands);
   bool keeps_contents(std::uint32_t buffer) const;
-  void record_step(VkCommandBuffer commands, const Step& step, std::uint32_t query) const;
+  void record_step(VkCommandBuffer commands, std::size_t number) const;
   void record_downloads(VkCommandBuffer commands) const;
   void read_timings(RunResult& result) const;
   void hand_out(RunResult& result) const;
   bool store_tables() const;
-  std::uint32_t query_count() const { return static_cast<std::uint32_t>(2 * steps_.size()); }
+  std::uint32_t query_count() const { return steps_.empty() ? 0 : 2 * (steps_.back().stretch + 1); }
 
   const Device& device_;
   const Machinery& machinery_;
@@ -96,13 +96,18 @@ RunResult Run::execute() {
 
 void Run::choose_steps() {
   const std::vector<bool> runs = passes_to_run(plan_, [&](ResourceId id) { return resources_.is_kept(id); });
-  const std::vector<bool> barriers = barriers_before(plan_, runs);
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    const PassDesc& pass = plan_.passes()[i];
+  std::vector<Step> all;
+  for (const PassDesc& pass : plan_.passes()) {
     // A skipped pass is matched too, so that a mistake in it shows in every run.
     const ShaderProgram& program = machinery_.pipelines.program(pass.shader);
-    Step step{&pass, &program, match(plan_, pass, program.info, machinery_.teams), barriers[i]};
-    if (!runs[i]) continue;
+    all.push_back({&pass, &program, match(plan_, pass, program.info, machinery_.teams)});
+  }
+  for (const Scheduled& next : schedule(plan_, runs)) {
+    Step& step = all[next.pass];
+    step.barrier = next.barrier;
+    // A timestamp behind a pass waits for it, so passes that the device has at once are timed together.
+    const bool alone = step.barrier || report_ || !machinery_.teams;
+    step.stretch = steps_.empty() ? 0 : steps_.back().stretch + (alone ? 1 : 0);
     check_limits(plan_, step, device_);
     steps_.push_back(std::move(step));
   }
@@ -131,12 +136,11 @@ void Run::record() {
   record_image_contents(commands);
   double all = 0.0;
   for (const Step& step : steps_) all += threads_of(step);
-  std::uint32_t query = 0;
-  for (Step& step : steps_) {
+  for (std::size_t i = 0; i < steps_.size(); ++i) {
+    Step& step = steps_[i];
     step.set = machinery_.frame.descriptor_set(step.program->set_layout.get());
     write_descriptors(device_, plan_, resources_, machinery_.sampler, step);
-    record_step(commands, step, query);
-    query += 2;
+    record_step(commands, i);
     if (report_ && &step != &steps_.back()) {
       Stopwatch stopwatch;
       submit();
@@ -230,7 +234,8 @@ void Run::record_image_contents(VkCommandBuffer commands) {
                    {kCompute | kTransfer, kShaderAccess | VK_ACCESS_TRANSFER_READ_BIT});
 }
 
-void Run::record_step(VkCommandBuffer commands, const Step& step, std::uint32_t query) const {
+void Run::record_step(VkCommandBuffer commands, std::size_t number) const {
+  const Step& step = steps_[number];
   if (step.barrier) {
     memory_barrier(
         commands, {kCompute, VK_ACCESS_SHADER_WRITE_BIT},
@@ -245,14 +250,18 @@ void Run::record_step(VkCommandBuffer commands, const Step& step, std::uint32_t 
   }
   const std::array<std::uint32_t, 3>& groups = step.matched.workgroups;
   const VkQueryPool timestamps = machinery_.frame.timestamps();
-  vkCmdWriteTimestamp(commands, VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, timestamps, query);
+  if (number == 0 || steps_[number - 1].stretch != step.stretch) {
+    vkCmdWriteTimestamp(commands, VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, timestamps, 2 * step.stretch);
+  }
   if (step.pass->groups) {
     const Resource& counts = *resources_.buffer(step.pass->groups->buffer.index);
     vkCmdDispatchIndirect(commands, counts.buffer->get(), step.pass->groups->offset);
   } else {
     vkCmdDispatch(commands, groups[0], groups[1], groups[2]);
   }
-  vkCmdWriteTimestamp(commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, timestamps, query + 1);
+  if (number + 1 == steps_.size() || steps_[number + 1].stretch != step.stretch) {
+    vkCmdWriteTimestamp(commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, timestamps, 2 * step.stretch + 1);
+  }
 }
 
 void Run::record_downloads(VkCommandBuffer commands) const {
@@ -286,10 +295,16 @@ void Run::record_downloads(VkCommandBuffer commands) const {
 void Run::read_timings(RunResult& result) const {
   const std::vector<std::uint64_t> ticks = machinery_.frame.read_timestamps(query_count());
   for (std::size_t i = 0; i < steps_.size(); ++i) {
+    const Step& step = steps_[i];
+    if (i > 0 && steps_[i - 1].stretch == step.stretch) {
+      result.passes.back().name.append(kAtOnce).append(pass_name(*step.pass));
+      continue;
+    }
     // The counter may wrap within its valid bits.
-    const std::uint64_t elapsed = (ticks[2 * i + 1] - ticks[2 * i]) & device_.limits().timestamp_mask;
+    const std::size_t first = std::size_t{2} * step.stretch;
+    const std::uint64_t elapsed = (ticks[first + 1] - ticks[first]) & device_.limits().timestamp_mask;
     const double nanoseconds = static_cast<double>(elapsed) * device_.limits().timestamp_nanoseconds;
-    result.passes.push_back({pass_name(*steps_[i].pass), nanoseconds * 1e-6});
+    result.passes.push_back({pass_name(*step.pass), nanoseconds * 1e-6});
   }
 }
 

@@ -12,6 +12,7 @@ struct Step {
   const ShaderProgram* program = nullptr;
   MatchedPass matched;
   bool barrier = false;
+  std::uint32_t stretch = 0;  // which of the timed stretches it belongs to, from 0
   VkPipeline pipeline = nullptr;
   VkDescriptorSet set = nullptr;
 

@@ -200,9 +200,16 @@ using IsKept = std::function<bool(ResourceId)>;
 // that some pass must write after all is made from its first writer on.
 std::vector<bool> passes_to_run(const Plan& plan, const IsKept& is_kept);
 
-// One flag a pass: whether a memory barrier must stand before it, because since the last barrier something it touches
-// was written or something it overwrites was read. Passes that do not run (flag false in `runs`) touch nothing.
-std::vector<bool> barriers_before(const Plan& plan);
-std::vector<bool> barriers_before(const Plan& plan, const std::vector<bool>& runs);
+// A pass that runs, by its number, and whether a memory barrier stands before it.
+struct Scheduled {
+  std::size_t pass = 0;
+  bool barrier = false;
+  bool operator==(const Scheduled&) const = default;
+};
+
+// The passes that run, level by level, with a barrier between levels: no pass of a level touches what another of them
+// writes, so that a device with room for several has them at once. Each is as late as what later ones need allows, next
+// to what they also wait for. Within a level they are in the plan's order.
+std::vector<Scheduled> schedule(const Plan& plan, const std::vector<bool>& runs);
 
 }  // namespace airlight

@@ -1,6 +1,7 @@
 // Decides which passes of a plan run, and where barriers go.
 
 #include <algorithm>
+#include <utility>
 
 #include "core/plan/plan.h"
 
@@ -89,28 +90,32 @@ std::vector<bool> passes_to_run(const Plan& plan, const IsKept& is_kept) {
   }
 }
 
-std::vector<bool> barriers_before(const Plan& plan) {
-  return barriers_before(plan, std::vector<bool>(plan.passes().size(), true));
-}
-
-std::vector<bool> barriers_before(const Plan& plan, const std::vector<bool>& runs) {
-  std::vector<bool> written(slot_count(plan));  // since the last barrier
-  std::vector<bool> read(slot_count(plan));
-  std::vector<bool> barriers(plan.passes().size());
-  for (std::size_t i = 0; i < plan.passes().size(); ++i) {
+std::vector<Scheduled> schedule(const Plan& plan, const std::vector<bool>& runs) {
+  // How many levels must follow a pass that writes a slot, and one that reads it: by the later passes so far.
+  std::vector<std::size_t> after_write(slot_count(plan));
+  std::vector<std::size_t> after_read(slot_count(plan));
+  std::vector<std::size_t> following(plan.passes().size());
+  std::vector<Scheduled> order;
+  for (std::size_t i = plan.passes().size(); i-- > 0;) {
     if (!runs[i]) continue;
     const PassDesc& pass = plan.passes()[i];
-    const auto was_written = [&](const Binding& b) { return written[slot(plan, b.resource)]; };
-    const auto was_touched = [&](const Binding& b) { return was_written(b) || read[slot(plan, b.resource)]; };
-    barriers[i] = std::ranges::any_of(pass.reads, was_written) || std::ranges::any_of(pass.writes, was_touched);
-    if (barriers[i]) {
-      written.assign(written.size(), false);
-      read.assign(read.size(), false);
+    for (const Binding& b : pass.reads) following[i] = std::max(following[i], after_read[slot(plan, b.resource)]);
+    for (const Binding& b : pass.writes) following[i] = std::max(following[i], after_write[slot(plan, b.resource)]);
+    for (const Binding& b : pass.reads) {
+      std::size_t& least = after_write[slot(plan, b.resource)];
+      least = std::max(least, following[i] + 1);
     }
-    for (const Binding& b : pass.reads) read[slot(plan, b.resource)] = true;
-    for (const Binding& b : pass.writes) written[slot(plan, b.resource)] = true;
+    for (const Binding& b : pass.writes) {
+      after_read[slot(plan, b.resource)] = following[i] + 1;
+      after_write[slot(plan, b.resource)] = following[i] + 1;
+    }
+    order.push_back({.pass = i});
   }
-  return barriers;
+  std::ranges::sort(order, {}, [&](const Scheduled& s) { return std::pair(~following[s.pass], s.pass); });
+  for (std::size_t k = 1; k < order.size(); ++k) {
+    order[k].barrier = following[order[k].pass] != following[order[k - 1].pass];
+  }
+  return order;
 }
 
 }  // namespace airlight

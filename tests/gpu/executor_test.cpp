@@ -82,6 +82,26 @@ TEST(Executor, TimesPassesAndItsOwnWork) {
   EXPECT_LE(passes, second.host[2].milliseconds) << "passes take longer than the run that holds them";
 }
 
+// As on a GPU, which has passes at once that do not wait for one another.
+TEST(Executor, TimesPassesThatNoBarrierParts) {
+  Executor executor({.teams = true}, test_shaders());
+  RampPlan p = ramp_plan({64, 64});
+  const ImageId other = p.plan.add_image({.name = "other", .extent = {64, 64}});
+  p.plan.add_readback(other);
+  const auto add = [&](const char* name, ImageId image) {
+    p.plan.add_pass(
+        {.name = name, .shader = "ramp", .writes = {{"ramp_out", image}}, .grid = {64, 64}, .push_constants = {1}});
+  };
+  add("stranger", other);
+  add("again", p.ramp);
+  const RunResult result = executor.run(p.plan);
+  ASSERT_EQ(result.passes.size(), 2U);
+  EXPECT_EQ(result.passes[0].name, "ramp");
+  EXPECT_EQ(result.passes[1].name, "stranger + again");
+  EXPECT_GT(result.passes[1].milliseconds, 0.0);
+  expect_ramp(values_of<float>(result.contents(p.readback)), {64, 64}, 1.0F);
+}
+
 // With a listener each pass is a submission of its own. The results are the same, and the reported share rises.
 TEST(Executor, ReportsWhatIsDone) {
   Executor executor({}, test_shaders());
