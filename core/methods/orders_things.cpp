@@ -347,6 +347,12 @@ class RaysByBlocks {
     }
   }
 
+  // What blocks of a kind have of it: no block is of two.
+  static Binding own_part(Binding whole, std::uint32_t tiles) {
+    whole.parts = 1U << tiles;
+    return whole;
+  }
+
   GroupCount groups_of_blocks(std::uint32_t tiles) const { return {blocks_.tiles, 16U * (tiles - 1)}; }
 
   void add_rays(const char* name, std::uint32_t tiles, bool listed, double cost) {
@@ -354,9 +360,9 @@ class RaysByBlocks {
     one.name = name;
     one.shader = "thing_rays";
     one.groups = listed ? GroupCount{units_, 16U * (tiles - physics::kTilesOfThings)} : groups_of_blocks(tiles);
-    one.reads.push_back({"rays_list", listed ? list_ : none_});
-    one.reads.push_back({"units", listed ? units_ : none_});
-    one.writes.push_back({"quads_out", quads_});
+    one.reads.push_back(own_part({"rays_list", listed ? list_ : none_}, tiles));
+    one.reads.push_back(own_part({"units", listed ? units_ : none_}, tiles));
+    one.writes = {own_part(pass_.writes.front(), tiles), own_part({"quads_out", quads_}, tiles)};
     one.push_constants.push_back(listed ? 1 : 0);
     specialize(one.specialization, tiles);
     one.cost *= cost;
@@ -365,13 +371,15 @@ class RaysByBlocks {
 
   void add_between(const char* name, std::uint32_t tiles, std::vector<Specialization> constants) {
     std::vector<Binding> reads = found_.things.reads;
-    reads.insert(reads.end(), {{"corners", found_.corners}, {"tiles", blocks_.tiles}, {"quads", quads_}});
+    reads.insert(reads.end(), {{"corners", found_.corners}, {"tiles", blocks_.tiles}});
+    reads.push_back(own_part({"quads", quads_}, tiles));
     reads.push_back(*std::ranges::find(pass_.reads, "directions", &Binding::name));
     specialize(constants, tiles);
     plan_.add_pass({.name = name,
                     .shader = "thing_between",
                     .reads = std::move(reads),
-                    .writes = {{"units_out", units_}, {"rays_list_out", list_}, pass_.writes.front()},
+                    .writes = {own_part({"units_out", units_}, tiles), own_part({"rays_list_out", list_}, tiles),
+                               own_part(pass_.writes.front(), tiles)},
                     .grid = pass_.grid,
                     .push_constants = {pass_.push_constants[0], pass_.push_constants[1]},
                     .specialization = std::move(constants),

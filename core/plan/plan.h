@@ -71,9 +71,14 @@ struct BufferId {
 };
 using ResourceId = std::variant<ImageId, BufferId>;
 
+// Parts into which passes may agree to divide what they touch (Binding::parts).
+inline constexpr std::size_t kBindingParts = 4;
+inline constexpr std::uint32_t kAllParts = (1U << kBindingParts) - 1;
+
 struct Binding {
   std::string name;  // as the shader spells it
   ResourceId resource;
+  std::uint32_t parts = kAllParts;  // bits: those that the pass touches; one that touches others need not wait for it
 };
 
 struct Specialization {

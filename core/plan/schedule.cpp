@@ -91,24 +91,26 @@ std::vector<bool> passes_to_run(const Plan& plan, const IsKept& is_kept) {
 }
 
 std::vector<Scheduled> schedule(const Plan& plan, const std::vector<bool>& runs) {
-  // How many levels must follow a pass that writes a slot, and one that reads it: by the later passes so far.
-  std::vector<std::size_t> after_write(slot_count(plan));
-  std::vector<std::size_t> after_read(slot_count(plan));
+  // How many levels must follow a pass that writes a part of a slot, and one that reads it: by the later passes so far.
+  std::vector<std::size_t> after_write(kBindingParts * slot_count(plan));
+  std::vector<std::size_t> after_read(kBindingParts * slot_count(plan));
   std::vector<std::size_t> following(plan.passes().size());
   std::vector<Scheduled> order;
+  const auto for_parts = [&](const std::vector<Binding>& bindings, const auto& visit) {
+    for (const Binding& b : bindings) {
+      for (std::size_t part = 0; part < kBindingParts; ++part) {
+        if ((b.parts >> part & 1U) != 0) visit(kBindingParts * slot(plan, b.resource) + part);
+      }
+    }
+  };
   for (std::size_t i = plan.passes().size(); i-- > 0;) {
     if (!runs[i]) continue;
     const PassDesc& pass = plan.passes()[i];
-    for (const Binding& b : pass.reads) following[i] = std::max(following[i], after_read[slot(plan, b.resource)]);
-    for (const Binding& b : pass.writes) following[i] = std::max(following[i], after_write[slot(plan, b.resource)]);
-    for (const Binding& b : pass.reads) {
-      std::size_t& least = after_write[slot(plan, b.resource)];
-      least = std::max(least, following[i] + 1);
-    }
-    for (const Binding& b : pass.writes) {
-      after_read[slot(plan, b.resource)] = following[i] + 1;
-      after_write[slot(plan, b.resource)] = following[i] + 1;
-    }
+    std::size_t& own = following[i];
+    for_parts(pass.reads, [&](std::size_t part) { own = std::max(own, after_read[part]); });
+    for_parts(pass.writes, [&](std::size_t part) { own = std::max(own, after_write[part]); });
+    for_parts(pass.reads, [&](std::size_t part) { after_write[part] = std::max(after_write[part], own + 1); });
+    for_parts(pass.writes, [&](std::size_t part) { after_read[part] = after_write[part] = own + 1; });
     order.push_back({.pass = i});
   }
   std::ranges::sort(order, {}, [&](const Scheduled& s) { return std::pair(~following[s.pass], s.pass); });

@@ -92,6 +92,23 @@ TEST(Schedule, AnImageAndABufferOfOneIndexAreNotTheSame) {
   EXPECT_EQ(order(plan), "01");
 }
 
+TEST(Schedule, PassesOfOtherPartsDoNotWait) {
+  Plan plan;
+  const BufferId list = plan.add_buffer({.name = "list", .bytes = 4});
+  const BufferId seen = plan.add_buffer({.name = "seen", .bytes = 4});
+  const auto add = [&](const char* name, std::vector<Binding> reads, std::vector<Binding> writes) {
+    plan.add_pass(
+        {.name = name, .shader = "any", .reads = std::move(reads), .writes = std::move(writes), .grid = {1, 1}});
+  };
+  add("one", {}, {{"list", list, 1U}});
+  add("other", {}, {{"list", list, 2U}});
+  add("of one", {{"list", list, 1U}}, {{"seen", seen, 1U}});
+  add("more of one", {}, {{"list", list, 1U}});
+  add("of other", {{"list", list, 2U}}, {{"seen", seen, 2U}});
+  add("all", {{"seen", seen}}, {{"list", list}});
+  EXPECT_EQ(order(plan), "0|12|34|5");
+}
+
 TEST(Schedule, PassesThatDoNotRunTouchNothing) {
   const Letters letters = Letters("abc").pass("", "a").pass("a", "b").pass("a", "c");
   EXPECT_EQ(order(letters.plan(), {true, false, true}), "0|2");
