@@ -6,7 +6,10 @@
 
 #include "core/base/clock.h"
 #include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/gpu/kept_values.h"
 #include "core/methods/method.h"
+#include "core/methods/path_trace/checkpoint.h"
 #include "core/methods/ready.h"
 #include "core/scene/thing_kinds.h"
 
@@ -65,6 +68,26 @@ bool can_be_traced(const Scene& scene) {
   return knows_things_of(find_method("path-trace")->info, scene);
 }
 
+namespace {
+
+// As kept_floats() keeps it: samples, batches, radiance, standard error.
+std::vector<float> floats_of(const HostPicture& picture) {
+  const auto samples = static_cast<float>(picture.samples);
+  std::vector<float> values{samples, samples / static_cast<float>(kBatch)};
+  for (const std::vector<float>& rgb : {rgb_of(picture.radiance.rgba), rgb_of(picture.standard_error.rgba)}) {
+    values.insert(values.end(), rgb.begin(), rgb.end());
+  }
+  return values;
+}
+
+Traced traced_of(const std::vector<float>& values) {
+  const auto radiance = values.begin() + 2;
+  const auto error = radiance + (values.end() - radiance) / 2;
+  return {{radiance, error}, {error, values.end()}, values[0], values[1]};
+}
+
+}  // namespace
+
 Traced trace_probes(const Stage& stage, const Probes& probes, const TraceOrder& order) {
   const SkyMethod& method = *find_method("path-trace");
   const int samples = static_cast<int>(std::min(order.samples, kMostSamples));
@@ -73,14 +96,15 @@ Traced trace_probes(const Stage& stage, const Probes& probes, const TraceOrder& 
   if (traced.spectra) {
     traced.spectra->wavelengths = kMostWavelengths;
   }
+  const Stage judged = ready(traced, stage);
+  const View view{.directions = probes.directions};
   HostOptions options;
   const double end = cpu_seconds() + order.cpu_seconds;
   options.report = [end](double /*done*/) { return cpu_seconds() < end; };
+  // How far the time went is not in the key: where there are more samples to be had, the next seed's follow.
+  const std::string key = "judge " + shortest(order.target_error) + "\n" + checkpoint_identity(judged, view);
   try {
-    const HostPicture picture =
-        method.render_on_host(ready(traced, stage), View{.directions = probes.directions}, options);
-    const auto taken = static_cast<double>(picture.samples);
-    return {rgb_of(picture.radiance.rgba), rgb_of(picture.standard_error.rgba), taken, taken / kBatch};
+    return traced_of(kept_floats(key, [&] { return floats_of(method.render_on_host(judged, view, options)); }));
   } catch (const RunError&) {
     return {};  // stopped before the first batches
   }

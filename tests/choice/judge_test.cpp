@@ -8,8 +8,10 @@
 
 #include "core/base/clock.h"
 #include "core/choice/assumed_error.h"
+#include "core/gpu/kept_values.h"
 #include "tests/choice/looks.h"
 #include "tests/choice/of_scene.h"
+#include "tests/output/files.h"
 
 namespace airlight::choice {
 namespace {
@@ -172,6 +174,33 @@ TEST(Tolerance, AJudgementKnowsWhatFewBatchesTell) {
   }
   const Judgement verdict = judge(std::vector<float>(3 * kCount, 1.0F), truth, std::vector<double>(kCount, 1.0));
   EXPECT_LT(verdict.at_most, 0.0035) << "of a noise of 0.014, and no error at all";
+}
+
+// What was traced once is there at the next start: no time is needed for it.
+TEST(Tolerance, TracesOfAWishAreKept) {
+  const test::Folder folder;
+  keep_values_in(folder.path());
+  const Stage stage = ready(haze(kBlue, kForward));
+  Probes probes;
+  probes.directions = {{0.3, 0.0}, {1.2, 2.0}};
+  TraceOrder order{.seed = 3, .target_error = 0.0, .samples = 64.0, .cpu_seconds = 60.0};
+  const Traced first = trace_probes(stage, probes, order);
+  ASSERT_EQ(first.radiance.size(), 6U);
+  EXPECT_EQ(first.samples, 64.0);
+  EXPECT_EQ(first.batches, 4.0);
+  order.cpu_seconds = 0.0;
+  const Traced again = trace_probes(stage, probes, order);
+  EXPECT_EQ(again.radiance, first.radiance);
+  EXPECT_EQ(again.standard_error, first.standard_error);
+  EXPECT_EQ(again.samples, 64.0);
+  EXPECT_EQ(again.batches, 4.0);
+  order.seed = 4;
+  EXPECT_TRUE(trace_probes(stage, probes, order).radiance.empty());
+  order.seed = 3;
+  Scene other = haze(kBlue, kForward);
+  other.sun.elevation += 0.01;
+  EXPECT_TRUE(trace_probes(ready(other), probes, order).radiance.empty());
+  keep_values_in({});
 }
 
 }  // namespace
