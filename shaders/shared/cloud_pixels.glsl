@@ -23,8 +23,8 @@ layout(constant_id = 50) const uint kAirByRay = 0u;  // 1: the air's shade is fo
 
 // Turns of the march along a ray. After so many fine ones its steps grow, twice as long after so many again: one to
 // three rays in a thousand take more, and a device waits for its longest rays.
-const float kFineTurns = 112.0;
-const float kTurnsToDouble = 24.0;
+const float kFineTurns = 64.0;
+const float kTurnsToDouble = 16.0;
 const float kMostTurns = 1024.0;
 
 const float kOpaque = 2e-3;     // a transmittance that hides what is behind
