@@ -26,10 +26,14 @@ layout(push_constant, scalar) uniform Push {
 
 const uint kRays = 4u;
 
-float water_of_ray(vec3 place) {
-  vec2 mean = water_at(place);
-  return kCarved == 1u ? carved_extinction(place, mean.y, 1.0) : mean.x;
+// So far inside the cloud the rays about a place all meet full water, or none.
+bool is_even(float inside) {
+  CloudEdge edge = cloud().edge;
+  float beside = 0.5 * cloud().width / float(cloud().fine_x);  // more than a ray stands off
+  return inside < -beside || inside > edge.carving + edge.soft + beside;
 }
+
+float water_of_ray(vec3 place) { return carved_extinction(place, water_at(place).y, 1.0); }
 
 // The depth that leaves the mean of what these leave.
 float mean_depth(float depths[kRays]) {
@@ -54,24 +58,42 @@ void main() {
   vec2 lean = vec2(c.sunward_east * height / c.width, c.sunward_north * height / c.depth);
   float way = length(vec3(c.sunward_east, c.sunward_north, 1.0)) * height;
   uint steps = parts * slices;
-  uint rays = kCarved == 1u ? kRays : 1u;
+  vec3 cells = vec3(gap_cells()) * vec3(abs(lean), 1.0) / float(steps);
+  float cells_of_step = max(max(cells.x, cells.y), cells.z);
   float depths[kRays];
   UNROLL for (uint r = 0u; r < kRays; r++) {
     depths[r] = 0.0;
   }
   depths_out.values[place_of(at, slices, c)] = 0.0;
-  for (uint i = 0u; i < steps; i++) {
+  uint written = 0u;  // slices below the top
+  uint i = 0u;
+  while (i < steps) {
     float down = (float(i) + 0.5) / float(steps);
-    vec2 place = vec2(at) / vec2(c.fine_x, c.fine_y) - lean * down;
-    uint waters = empty_cells(vec3(place, 1.0 - down)) < 0.5 ? rays : 0u;
-    // Unrolled, all four would be run where there is no water.
-    DONT_UNROLL for (uint r = 0u; r < waters; r++) {
-      vec2 beside = rays == 1u ? vec2(0.0) : (vec2(r & 1u, r >> 1u) - 0.5) * 0.5 / vec2(c.fine_x, c.fine_y);
-      depths[r] += water_of_ray(vec3(place + beside, 1.0 - down)) * way / float(steps);
+    vec3 place = vec3(vec2(at) / vec2(c.fine_x, c.fine_y) - lean * down, 1.0 - down);
+    float empty = empty_cells(place);
+    vec2 mean = water_at(place);
+    bool even = kCarved == 0u || is_even(mean.y);
+    if (even && empty < 0.5) {
+      float extinction = kCarved == 0u ? mean.x : carved_extinction(place, mean.y, 1.0);
+      UNROLL for (uint r = 0u; r < kRays; r++) {
+        depths[r] += extinction * way / float(steps);
+      }
     }
-    if ((i + 1u) % parts == 0u) {
-      float depth = rays == 1u ? depths[0] : mean_depth(depths);
-      depths_out.values[place_of(at, slices - 1u - i / parts, c)] = depth;
+    // Unrolled, all four would be run where there is no water.
+    uint rays = !even && empty < 0.5 ? kRays : 0u;
+    DONT_UNROLL for (uint r = 0u; r < rays; r++) {
+      vec2 beside = (vec2(r & 1u, r >> 1u) - 0.5) * 0.5 / vec2(c.fine_x, c.fine_y);
+      depths[r] += water_of_ray(place + vec3(beside, 0.0)) * way / float(steps);
+    }
+    // Over empty cells the ray leaps.
+    i = min(i + uint(max(empty / cells_of_step, 1.0)), steps);
+    float depth = 0.0;
+    if ((written + 1u) * parts <= i) {
+      depth = kCarved == 0u ? depths[0] : mean_depth(depths);
+    }
+    while ((written + 1u) * parts <= i) {
+      written++;
+      depths_out.values[place_of(at, slices - written, c)] = depth;
     }
   }
 }
