@@ -76,6 +76,9 @@ void check_bindings(const Plan& plan, const PassDesc& pass, const std::string& w
   const auto check_one = [&](const Binding& binding) {
     if (!names.insert(binding.name).second) refuse(where + "two bindings are named " + binding.name);
     if (!known(plan, binding.resource)) refuse(where + binding.name + " is bound to a resource that the plan lacks");
+    if (binding.parts == 0 || binding.parts > kAllParts) {
+      refuse(where + binding.name + " is bound to no part, or to one that nothing has");
+    }
     for (const Plan::Readback& readback : plan.readbacks()) {
       if (binding.resource == ResourceId(readback.buffer)) {
         refuse(where + binding.name + " is bound to " + describe(plan, readback.buffer) +

@@ -189,6 +189,17 @@ TEST(Check, RefusesUnknownResources) {
   EXPECT_EQ(refusal(buffer.plan), "plan: pass march: table_lut is bound to a resource that the plan lacks");
 }
 
+// Nothing would wait for such a pass.
+TEST(Check, RefusesPartsThatNothingHas) {
+  for (const std::uint32_t parts : {0U, kAllParts + 1}) {
+    Sample s;
+    PassDesc pass = s.march();
+    pass.writes[0].parts = parts;
+    s.plan.add_pass(pass);
+    EXPECT_EQ(refusal(s.plan), "plan: pass march: sky_out is bound to no part, or to one that nothing has");
+  }
+}
+
 TEST(Check, RefusesReadbacksOutOfOrder) {
   Sample unwritten;
   unwritten.plan.add_readback(unwritten.picture);
