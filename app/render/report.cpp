@@ -13,9 +13,11 @@
 namespace airlight::cli {
 namespace {
 
+// A GPU's passes take a fraction of a millisecond.
 std::string milliseconds(double value) {
+  constexpr double kShort = 10.0;
   char text[32];
-  std::snprintf(text, sizeof text, "%9.1f", value);
+  std::snprintf(text, sizeof text, "%9.*f", value < kShort ? 3 : 1, value);
   return text;
 }
 
