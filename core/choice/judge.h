@@ -33,8 +33,8 @@ using TraceFunction = std::function<Traced(const Stage& stage, const Probes& pro
 // Whether path-trace renders such a scene: it knows all things in it.
 bool can_be_traced(const Scene& scene);
 
-// By the method's own sampler, of spectra at all wavelengths. Kept for later starts (core/gpu/kept_values.h): a choice
-// made once is free the next time.
+// By the method's own sampler, of spectra at all wavelengths. Kept for later starts (core/gpu/kept_values.h), which
+// trace nothing anew.
 Traced trace_probes(const Stage& stage, const Probes& probes, const TraceOrder& order);
 
 // Both runs as one; their seeds differ.
