@@ -62,14 +62,6 @@ double error_behind(double excess, double noise) {
   return high;
 }
 
-}  // namespace
-
-bool can_be_traced(const Scene& scene) {
-  return knows_things_of(find_method("path-trace")->info, scene);
-}
-
-namespace {
-
 // As kept_floats() keeps it: samples, batches, radiance, standard error.
 std::vector<float> floats_of(const HostPicture& picture) {
   const auto samples = static_cast<float>(picture.samples);
@@ -87,6 +79,10 @@ Traced traced_of(const std::vector<float>& values) {
 }
 
 }  // namespace
+
+bool can_be_traced(const Scene& scene) {
+  return knows_things_of(find_method("path-trace")->info, scene);
+}
 
 Traced trace_probes(const Stage& stage, const Probes& probes, const TraceOrder& order) {
   const SkyMethod& method = *find_method("path-trace");

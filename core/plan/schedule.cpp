@@ -1,4 +1,4 @@
-// Decides which passes of a plan run, and where barriers go.
+// Decides which passes of a plan run, in which order, and where barriers go.
 
 #include <algorithm>
 #include <utility>
