@@ -86,6 +86,12 @@ struct CloudInputs {
   }
 };
 
+// Whether a field is thin all over, its extinction scaled.
+bool is_thin(const CloudGrid& grid, double scale) {
+  constexpr double kThickest = 3.0;  // 1/km
+  return static_cast<double>(*std::ranges::max_element(grid.extinction)) * scale <= kThickest;
+}
+
 CloudCells coarse_cells(const CloudGrid& grid, TableSize most, const std::string& cloud) {
   const auto across = static_cast<std::uint32_t>(most[0]);
   const auto up = static_cast<std::uint32_t>(most[1]);
@@ -109,6 +115,7 @@ device::CloudData head_of(const CloudGrid& grid, const CloudCells& coarse, const
   head.coarse_y = coarse.ny;
   head.coarse_z = coarse.nz;
   head.repeats = grid.repeats ? 1 : 0;
+  head.thin = is_thin(grid, delta_scale(drops)) ? 1 : 0;
   head.west = narrowed(grid.west);
   head.south = narrowed(grid.south);
   head.width = narrowed(grid.nx * grid.cell_x);
@@ -163,10 +170,17 @@ ImageId add_shadow(Plan& plan, const CloudGrid& grid, const CloudInputs& inputs,
                  .push_constants = {size.depth - 1, parts, push_constant(scale)},
                  .specialization = {edge.carved},
                  .cost = (carved ? 8.0 : 1.0) * size.depth * parts});
-  const ImageId shadow =
-      plan.add_image({.name = "cloud_shadow", .extent = size, .key = key, .half = true, .shared = true});
-  plan.add_pass(
-      {.shader = "cloud_bends", .reads = {{"depths", depths}}, .writes = {{"bends_out", shadow}}, .grid = size});
+  const ImageId shadow = plan.add_image({.name = "cloud_shadow",
+                                         .extent = size,
+                                         .key = key,
+                                         .half = true,
+                                         .components = head.thin == 1 ? 1U : 4U,
+                                         .shared = true});
+  plan.add_pass({.shader = "cloud_bends",
+                 .reads = {{"depths", depths}},
+                 .writes = {{"bends_out", shadow}},
+                 .grid = size,
+                 .specialization = {{"kBends", 1U - head.thin}}});
   return shadow;
 }
 

@@ -165,15 +165,6 @@ struct CloudSearch {
 
 constexpr double kRayCost = 60.0;  // of a march
 
-double step_rise(const LitCloud& cloud) {
-  // Far away steps grow, and shorten again where the cloud is thick; one that is thin all over would never shorten
-  // them, and steps of several cells make moire of its texture.
-  constexpr double kThickest = 3.0;  // 1/km, scaled
-  const double densest =
-      static_cast<double>(*std::ranges::max_element(cloud.grid->extinction)) * static_cast<double>(cloud.head.scale);
-  return densest > kThickest ? 0.01 : 0.002;
-}
-
 template <typename T>
 std::vector<T> joined(std::vector<T> some, const std::vector<T>& more) {
   some.insert(some.end(), more.begin(), more.end());
@@ -238,9 +229,13 @@ void add_cloud_pass(Plan& plan, CloudPicture picture, const LitCloud& cloud, con
   constants.push_back({"kStretches", stretches});
   constants.push_back({"kFurther", further ? 1U : 0U});
   constexpr double kStep = 1.5;  // in cells
+  // Far away steps grow, and shorten again where the cloud is thick. One that is thin all over would never shorten them,
+  // and steps of several cells make moire of its texture.
+  constexpr double kRise = 0.01;
+  constexpr double kThinRise = 0.002;
   const CloudGrid& grid = *cloud.grid;
   picture.push.push_back(push_constant(kStep * std::min({grid.cell_x, grid.cell_y, 2.0 * grid.cell_z()})));
-  picture.push.push_back(push_constant(step_rise(cloud)));
+  picture.push.push_back(push_constant(cloud.head.thin == 1 ? kThinRise : kRise));
   std::optional<GroupCount> groups;
   if (picture.lattice) {
     add_lattice_passes(plan, picture, cloud, further);

@@ -5,6 +5,7 @@
 // rows likewise, and along the sun's rays.
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(scalar, set = 0, binding = 1) readonly buffer Depths { float values[]; } depths;
+layout(constant_id = 0) const uint kBends = 1u;  // 0: the depths alone, of a thin field
 layout(set = 0, binding = 2) uniform writeonly image3D bends_out;
 
 float depth_at(ivec3 at, ivec3 last) { return depths.values[(at.z * (last.y + 1) + at.y) * (last.x + 1) + at.x]; }
@@ -17,7 +18,7 @@ void main() {
   }
   float here = depth_at(at, last);
   vec3 bends = vec3(0.0);
-  for (int n = 0; n < 3; n++) {
+  for (int n = 0; n < 3 * int(kBends); n++) {
     int low = at[n] - 1;
     int high = at[n] + 1;
     if (n < 2) {

@@ -42,6 +42,7 @@ struct CloudData {
   uint coarse_y;
   uint coarse_z;
   uint repeats;
+  uint thin;  // 1: the field is thin all over, and light changes little from cell to cell
   // Of the scaled extinction, what turns light aside: (1 - a g) / (1 - a f), a the single scattering albedo, g the mean
   // cosine of scattering, f the share of it that counts as unscattered.
   real turning;

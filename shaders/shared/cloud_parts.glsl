@@ -4,6 +4,7 @@ layout(set = 0, binding = 23) uniform sampler3D cloud_source_lut;
 
 const uint kMostParts = 8u;     // that the march puts aside
 const float kPartOfCell = 0.5;  // length of a part over a coarse cell's
+const float kThinPart = 3.0;    // likewise in a thin field
 
 float seen_harmonics[kCloudMoments];  // of the direction in which light comes to the camera
 
@@ -68,6 +69,6 @@ float length_of_parts(vec3 direction, float t) {
   CloudData c = cloud();
   vec3 per_km = vec3(c.coarse_x, c.coarse_y, c.coarse_z) / vec3(c.width, c.depth, c.top - c.base);
   float climb = abs(direction.y) + t / scene.planet.ground_radius;
-  return kPartOfCell / max(max(abs(direction.x) * per_km.x, abs(direction.z) * per_km.y), climb * per_km.z);
+  return (c.thin == 1u ? kThinPart : kPartOfCell) / max(max(abs(direction.x) * per_km.x, abs(direction.z) * per_km.y), climb * per_km.z);
 }
 
