@@ -102,10 +102,9 @@ class Field {
 
   // Fills the grid. `inside(x, y, z)`: how far inside the cloud the place is, x and y as shares of the period (moved
   // upwind by the shear), z of the height; below 0: outside for certain. `soft`: the depth over which the edge fades.
-  // `water(z)`: how dense the cloud is at that height.
-  template <class Inside, class Water>
-  CloudGrid fill(Inside inside, double soft, Water water) && {
-    finish(edge_of(fill_depths(inside)), soft, water);
+  template <class Inside>
+  CloudGrid fill(Inside inside, double soft) && {
+    finish(edge_of(fill_depths(inside)), soft);
     return std::move(grid_);
   }
 
@@ -173,17 +172,13 @@ class Field {
     return static_cast<double>(*at);
   }
 
-  template <class Water>
-  void finish(double edge, double soft, Water water) {
+  void finish(double edge, double soft) {
     double most = 0.0;
-    for (int k = 0; k < levels(); ++k) {
-      const double dense = water((k + 0.5) / levels());
-      for (std::size_t at = grid_.index(0, 0, k); at < grid_.index(0, 0, k + 1); ++at) {
-        const double depth = static_cast<double>(grid_.extinction[at]);
-        const double value = depth > edge ? dense * smooth_step(-0.1 * soft, soft, depth - edge) : 0.0;
-        grid_.extinction[at] = static_cast<float>(value);
-        most = std::max(most, value);
-      }
+    for (float& value : grid_.extinction) {
+      const double depth = static_cast<double>(value);
+      const double share = depth > edge ? smooth_step(-0.1 * soft, soft, depth - edge) : 0.0;
+      value = static_cast<float>(share);
+      most = std::max(most, share);
     }
     const double scale = most > 0.0 ? densest() / most : 0.0;
     for (float& value : grid_.extinction) {
@@ -264,20 +259,16 @@ CloudGrid stratocumulus_grid(const Cloud& cloud) {
   const double wide = std::min(1.0, 1.1 * cloud.cover + 0.05);
   const double lump_height = field.height() * lumps.x / cloud.period;
   const CellOctaves billows(lumps, lump_height, 3, field.seed(10));
-  constexpr double kSoft = 0.15;
-  return std::move(field).fill(
+  return std::move(field).carve(
       [&, lumps](double x, double y, double z) {
         const double strength = (map.between(x * field.side(), y * field.side()) - 1.0 + wide) / wide;
-        if (strength <= 0.0) {
-          return 0.0;
-        }
-        const double thick = std::sqrt(strength);
+        const double thick = std::sqrt(std::max(strength, 0.0));
         // The base is nearly level; the top bulges over each cell.
         const double depth = std::min((0.35 + 0.65 * thick - z) * 1.5, (z - 0.3 * (1.0 - thick)) * 3.0 + 0.1);
         const double carved = billows.at(x * lumps.x, y * lumps.y, z * lump_height);
         return std::min(depth, 2.0 * strength) - 0.25 * carved;
       },
-      kSoft, [](double z) { return 0.3 + 0.7 * z; });
+      0.3);
 }
 
 // Fibres that lie along a direction with whole coordinates near the wind's, by which the field repeats itself all the
@@ -342,7 +333,7 @@ CloudGrid cirrus_grid(const Cloud& cloud) {
         const double fibre = fibres.at(x, y, z);
         return std::sqrt(strength) * level * (fibre * fibre * fibre - 0.25);
       },
-      0.5, [](double) { return 1.0; });
+      0.5);
 }
 
 }  // namespace airlight

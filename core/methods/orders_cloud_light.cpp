@@ -86,10 +86,12 @@ struct CloudInputs {
   }
 };
 
-// Whether a field is thin all over, its extinction scaled.
+// Whether a field is thin all over, and each cell of it: scaled by `scale`.
 bool is_thin(const CloudGrid& grid, double scale) {
   constexpr double kThickest = 3.0;  // 1/km
-  return static_cast<double>(*std::ranges::max_element(grid.extinction)) * scale <= kThickest;
+  constexpr double kDeepest = 0.25;  // of a cell
+  const double densest = static_cast<double>(*std::ranges::max_element(grid.extinction)) * scale;
+  return densest <= kThickest && densest * std::max({grid.cell_x, grid.cell_y, grid.cell_z()}) <= kDeepest;
 }
 
 CloudCells coarse_cells(const CloudGrid& grid, TableSize most, const std::string& cloud) {
@@ -140,6 +142,7 @@ device::CloudData head_of(const CloudGrid& grid, const CloudCells& coarse, const
 ImageId add_shadow(Plan& plan, const CloudGrid& grid, const CloudInputs& inputs, const device::CloudData& head,
                    const std::string& cloud) {
   constexpr double kMostCells = 1.2;  // across, that a ray crosses from slice to slice
+  constexpr double kManyCells = 6.0;  // likewise from level to level of the grid: so many that one ray does
   constexpr double kScales = 20.0;  // the scale is rounded, so that wavelengths whose drops differ little share a table
   const double scale = std::max(std::round(static_cast<double>(head.scale) * kScales), 1.0) / kScales;
   const double across =
@@ -150,8 +153,9 @@ ImageId add_shadow(Plan& plan, const CloudGrid& grid, const CloudInputs& inputs,
   while (finer > 1 && corners_of(grid, finer) > kMostCloudCells) {
     --finer;
   }
-  const auto parts = static_cast<std::uint32_t>(
-      std::clamp(std::ceil((carved ? 2.0 * std::max(across, 1.0) : across) / finer), 1.0, 8.0));
+  const std::uint32_t rays = across > kManyCells ? 1 : 4;
+  const auto parts = static_cast<std::uint32_t>(std::clamp(
+      std::ceil((carved ? 2.0 * std::max(across, 1.0) : across) / finer), 1.0, carved && rays == 1 ? 4.0 : 8.0));
   const std::string key = cloud + " shadow " + shortest(static_cast<double>(head.sunward_east)) + " " +
                           shortest(static_cast<double>(head.sunward_north)) + " " + shortest(carved ? scale : 1.0);
   if (const auto made = plan.shared_image(key)) {
@@ -167,9 +171,9 @@ ImageId add_shadow(Plan& plan, const CloudGrid& grid, const CloudInputs& inputs,
                            edge.noise},
                  .writes = {{"depths_out", depths}},
                  .grid = {size.width, size.height, 1},
-                 .push_constants = {size.depth - 1, parts, push_constant(scale)},
+                 .push_constants = {size.depth - 1, parts, push_constant(scale), rays},
                  .specialization = {edge.carved},
-                 .cost = (carved ? 8.0 : 1.0) * size.depth * parts});
+                 .cost = (carved ? 2.0 * rays : 1.0) * size.depth * parts});
   const ImageId shadow = plan.add_image({.name = "cloud_shadow",
                                          .extent = size,
                                          .key = key,

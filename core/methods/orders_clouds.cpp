@@ -229,8 +229,8 @@ void add_cloud_pass(Plan& plan, CloudPicture picture, const LitCloud& cloud, con
   constants.push_back({"kStretches", stretches});
   constants.push_back({"kFurther", further ? 1U : 0U});
   constexpr double kStep = 1.5;  // in cells
-  // Far away steps grow, and shorten again where the cloud is thick. One that is thin all over would never shorten them,
-  // and steps of several cells make moire of its texture.
+  // Far away steps grow, and shorten again where the cloud is thick. One that is thin all over would never shorten
+  // them, and steps of several cells make moire of its texture.
   constexpr double kRise = 0.01;
   constexpr double kThinRise = 0.002;
   const CloudGrid& grid = *cloud.grid;

@@ -7,6 +7,7 @@
 // Of a cloud whose edge is carved finer than the grid a thread follows four rays, in the middles of the quarters of its
 // texel, through the carved water. The depth is that which leaves as much light as the four do: through gaps between
 // lobes falls light where the grid's means would shade. `scale` is that of delta scaling: the mean is of scaled light.
+// Where the sun is low, one ray does: it meets many lobes.
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_EXT_control_flow_attributes : require
 #define UNROLL [[unroll]]
@@ -22,6 +23,7 @@ layout(push_constant, scalar) uniform Push {
   uint slices;  // heights, one less than there are
   uint parts;   // of a slice
   float scale;
+  uint rays;  // of a carved edge: 1 or kRays
 };
 
 const uint kRays = 4u;
@@ -42,7 +44,7 @@ float mean_depth(float depths[kRays]) {
   UNROLL for (uint r = 0u; r < kRays; r++) {
     left += exp(scale * (least - depths[r])) / float(kRays);
   }
-  return least - log(left) / scale;
+  return rays == 1u ? depths[0] : least - log(left) / scale;
 }
 
 // Of a column and row, at a slice.
@@ -74,15 +76,17 @@ void main() {
     vec2 mean = water_at(place);
     bool even = kCarved == 0u || is_even(mean.y);
     if (even && empty < 0.5) {
-      float extinction = kCarved == 0u ? mean.x : carved_extinction(place, mean.y, 1.0);
+      // An edge that takes nothing off needs no noise.
+      float full = mean.y > 0.0 ? edge_extinction(c.edge, place.z, mean.y, 0.0) : 0.0;
+      float extinction = kCarved == 0u ? mean.x : full;
       UNROLL for (uint r = 0u; r < kRays; r++) {
         depths[r] += extinction * way / float(steps);
       }
     }
     // Unrolled, all four would be run where there is no water.
-    uint rays = !even && empty < 0.5 ? kRays : 0u;
-    DONT_UNROLL for (uint r = 0u; r < rays; r++) {
-      vec2 beside = (vec2(r & 1u, r >> 1u) - 0.5) * 0.5 / vec2(c.fine_x, c.fine_y);
+    uint followed = !even && empty < 0.5 ? rays : 0u;
+    DONT_UNROLL for (uint r = 0u; r < followed; r++) {
+      vec2 beside = rays == 1u ? vec2(0.0) : (vec2(r & 1u, r >> 1u) - 0.5) * 0.5 / vec2(c.fine_x, c.fine_y);
       depths[r] += water_of_ray(place + vec3(beside, 0.0)) * way / float(steps);
     }
     // Over empty cells the ray leaps.
