@@ -26,7 +26,7 @@ if(AIRLIGHT_SANITIZE)
       SphereSky.Shafts* TableText.Moments TableText.Factors Analytic.IsMonotone Analytic.OnTheDevice*
       Analytic.SingleScattering* Stokes.OrdersAgrees* Stokes.PathTraceMeets* Refraction.FirstOrder* Refraction.OrdersAgrees*
       Refraction.PathsTurn* CloudStack.TwoLevel* CloudStack.FieldsStand* CloudStack.ShadowsOf* CloudStack.IsPath*
-      CloudPhotons.* CarvedClouds.Shaded* CarvedClouds.ShadeIn*
+      CloudPhotons.* CarvedClouds.Shaded* CarvedClouds.ShadeIn* CarvedClouds.ASheet*
       LayersOfClouds.SumUp* LayersOfClouds.ABlack* LayersOfClouds.QAndU* LayersOfClouds.AFilter* CloudSpans.UpTo*
       CloudWind.Moves* CloudWind.APeriod* Spectral.AField* CloudLattice.GoesEvenly* CloudLattice.IsThe* CloudLattice.Leaves*
       # scenes that differ in numbers and in the device's pipelines

@@ -30,7 +30,8 @@ std::string_view star_name(const CatalogueStar& star);
 
 std::vector<CatalogueStar> read_stars(std::string_view table);
 
-// The table's lines: right ascension and declination in 1e-4 degrees, V and B - V in hundredths of a magnitude.
+// The lines of core/night/stars.txt, embedded at build time: right ascension and declination in 1e-4 degrees, V and
+// B - V in hundredths of a magnitude.
 std::string_view star_table();
 
 // Temperature of the black body of that colour, K (Ballesteros, Europhysics Letters 97 (2012) 34008).
