@@ -157,7 +157,8 @@ ImageId add_shadow(Plan& plan, const CloudGrid& grid, const CloudInputs& inputs,
   const auto parts = static_cast<std::uint32_t>(std::clamp(
       std::ceil((carved ? 2.0 * std::max(across, 1.0) : across) / finer), 1.0, carved && rays == 1 ? 4.0 : 8.0));
   const std::string key = cloud + " shadow " + shortest(static_cast<double>(head.sunward_east)) + " " +
-                          shortest(static_cast<double>(head.sunward_north)) + " " + shortest(carved ? scale : 1.0);
+                          shortest(static_cast<double>(head.sunward_north)) + " " + shortest(carved ? scale : 1.0) +
+                          (head.thin == 1 ? " thin" : "");
   if (const auto made = plan.shared_image(key)) {
     return *made;
   }
