@@ -69,6 +69,7 @@ float length_of_parts(vec3 direction, float t) {
   CloudData c = cloud();
   vec3 per_km = vec3(c.coarse_x, c.coarse_y, c.coarse_z) / vec3(c.width, c.depth, c.top - c.base);
   float climb = abs(direction.y) + t / scene.planet.ground_radius;
-  return (c.thin == 1u ? kThinPart : kPartOfCell) / max(max(abs(direction.x) * per_km.x, abs(direction.z) * per_km.y), climb * per_km.z);
+  float cells = c.thin == 1u ? kThinPart : kPartOfCell;
+  return cells / max(max(abs(direction.x) * per_km.x, abs(direction.z) * per_km.y), climb * per_km.z);
 }
 

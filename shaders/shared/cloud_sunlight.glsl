@@ -3,8 +3,8 @@ layout(set = 0, binding = 22) uniform sampler3D cloud_shadow_lut;
 
 // Optical depth toward the sun. Places below the grid count too; a cloud that stands alone shades no place whose ray
 // misses it. The texels hold the depth and how it bends along column, row and ray: linear steps alone would round off
-// the cloud's edges by an eighth of a cell's depth, where its light comes from. A thin field's hold the depth alone, since
-// devices without texture units load each component of each texel by itself.
+// the cloud's edges by an eighth of a cell's depth, where its light comes from. A thin field's hold the depth alone,
+// since devices without texture units load each component of each texel by itself.
 float sun_depth_in(sampler3D table, CloudData c, vec3 place) {
   vec3 steps = vec3(textureSize(table, 0) - 1);
   float height = (c.top - c.base) * (1.0 - place.z);
