@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
+#include <utility>
 
 #include "core/physics/device_scene.h"
 #include "core/physics/gauss.h"
@@ -160,16 +161,20 @@ CloudTables add_cloud_tables(Plan& plan, const CloudDrops& drops, physics::vec3 
           plan.add_buffer(filled_buffer("cloud_scattering", bytes_of_one(scattering)))};
 }
 
-CloudField add_cloud_field(Plan& plan, const CloudCells& cells, const CloudDrops& drops, const CloudIncident& incident,
+LaidCells add_cloud_cells(Plan& plan, const std::string& name, CloudCells cells, const CloudDrops& drops) {
+  std::vector<float> scaled = cells.extinction;
+  std::ranges::for_each(scaled, [scale = cloud_float(delta_scale(drops))](float& x) { x *= scale; });
+  return {std::move(cells), plan.add_buffer(filled_buffer(name, bytes_of(scaled)))};
+}
+
+CloudField add_cloud_field(Plan& plan, const LaidCells& laid, const CloudDrops& drops, const CloudIncident& incident,
                            const SweepSettings& settings, const CloudTables& tables, BufferId beam,
                            const std::string& key) {
+  const CloudCells& cells = laid.cells;
   const auto count = static_cast<std::uint32_t>(cells.count());
   const std::size_t floats = cells.count() * sizeof(float);
   const std::size_t rays = floats * physics::kCloudOrdinates;
   const std::string name = "cloud_" + incident.name;
-  std::vector<float> scaled = cells.extinction;
-  std::ranges::for_each(scaled, [scale = cloud_float(delta_scale(drops))](float& x) { x *= scale; });
-  const BufferId extinction = plan.add_buffer(filled_buffer(name + "_cells", bytes_of(scaled)));
   const std::vector<std::uint32_t> lit = lit_cells(cells);
   const auto lit_count = static_cast<std::uint32_t>(lit.size());
   const BufferId list =
@@ -184,20 +189,20 @@ CloudField add_cloud_field(Plan& plan, const CloudCells& cells, const CloudDrops
   const BufferId sources = add("_sources", 2 * rays, false);
   const BufferId means = add("_means", rays, false);
   const BufferId changes = add("_changes", floats * physics::kCloudMoments, false);
-  const CloudField field{extinction, add("_moments", floats * physics::kCloudMoments, true),
-                         add("_planes", rays / cells.nz, true), means};
+  const CloudField field{add("_moments", floats * physics::kCloudMoments, true), add("_planes", rays / cells.nz, true),
+                         means};
   const std::uint32_t longest = std::max({cells.nx * cells.ny, cells.nx * cells.nz, cells.ny * cells.nz});
   const BufferId fronts = add("_fronts", std::size_t{2} * physics::kCloudOrdinates * longest * sizeof(float), false);
   std::uint32_t sweep = 0;
   const double kept = light_kept(cells, drops);
   BufferId moments = field.moments;
   if (settings.start) {
-    const CloudCells& coarser = settings.start->cells;
+    const CloudCells& coarser = settings.start->laid.cells;
     plan.add_pass({.name = name + "_start",
                    .shader = "cloud_start",
                    .reads = {{"lit_cells", list},
                              {"found", settings.start->field.moments},
-                             {"coarser_cells", settings.start->field.extinction}},
+                             {"coarser_cells", settings.start->laid.extinction}},
                    .writes = {{"moments_out", field.moments}},
                    .grid = {std::max(lit_count, 1U), 1, 1},
                    .push_constants = {lit_count, cells.nx, cells.ny, cells.nz, coarser.nx, coarser.ny, coarser.nz},
@@ -213,8 +218,8 @@ CloudField add_cloud_field(Plan& plan, const CloudCells& cells, const CloudDrops
                    .reads = {{"ordinates", tables.ordinates},
                              {"scattering", tables.scattering},
                              {"lit_cells", list},
-                             {"beam", incident.sun ? beam : extinction},
-                             {"extinctions", extinction},
+                             {"beam", incident.sun ? beam : laid.extinction},
+                             {"extinctions", laid.extinction},
                              {"moments", moments}},
                    .writes = {{"sources_out", sources}},
                    .grid = {std::max(lit_count, 1U), 1, 1},
@@ -226,9 +231,9 @@ CloudField add_cloud_field(Plan& plan, const CloudCells& cells, const CloudDrops
         {.name = name + "_sweep",
          .shader = "cloud_sweep",
          .reads = {{"ordinates", tables.ordinates},
-                   {"cells", extinction},
+                   {"cells", laid.extinction},
                    {"sources", sources},
-                   {"ground", incident.ground.value_or(extinction)}},
+                   {"ground", incident.ground.value_or(laid.extinction)}},
          .writes = {{"means_out", means}, {"fronts", fronts}, {"planes_out", field.planes}},
          .grid = {16 * physics::kCloudOrdinates, 8, 1},
          .push_constants = {cells.nx, cells.ny, cells.nz, push_constant(cells.cell_x), push_constant(cells.cell_y),

@@ -52,17 +52,23 @@ struct ChebyshevStep {
 };
 std::vector<ChebyshevStep> chebyshev_steps(double kept, int count);
 
+// A cloud's cells, and their extinction on the device, delta-scaled, 1/km.
+struct LaidCells {
+  CloudCells cells;
+  BufferId extinction;
+};
+LaidCells add_cloud_cells(Plan& plan, const std::string& name, CloudCells cells, const CloudDrops& drops);
+
 struct CloudField {
-  BufferId extinction;  // of the cells, delta-scaled, 1/km
-  BufferId moments;     // of the mean radiance in each cell: harmonic, cell
-  BufferId planes;      // what leaves the top or the base along each ordinate: ordinate, column
-  BufferId means;       // radiance along each ordinate, the mean over a cell, after the last sweep: ordinate, cell
+  BufferId moments;  // of the mean radiance in each cell: harmonic, cell
+  BufferId planes;   // what leaves the top or the base along each ordinate: ordinate, column
+  BufferId means;    // radiance along each ordinate, the mean over a cell, after the last sweep: ordinate, cell
 };
 
 // Light found on coarser cells.
 struct CoarserField {
   CloudField field;
-  CloudCells cells;
+  LaidCells laid;
 };
 
 struct SweepSettings {
@@ -80,7 +86,7 @@ CloudTables add_cloud_tables(Plan& plan, const CloudDrops& drops, physics::vec3 
 
 // The field of the light that comes to the cloud. `beam`: the sun's light in each cell over that above the cloud,
 // delta-scaled. `key`: of what is kept; empty: nothing.
-CloudField add_cloud_field(Plan& plan, const CloudCells& cells, const CloudDrops& drops, const CloudIncident& incident,
+CloudField add_cloud_field(Plan& plan, const LaidCells& laid, const CloudDrops& drops, const CloudIncident& incident,
                            const SweepSettings& settings, const CloudTables& tables, BufferId beam,
                            const std::string& key);
 

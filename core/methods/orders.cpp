@@ -81,7 +81,8 @@ const std::array<ParameterInfo, 14> kParameters{
         "not at all"),
     parameter::table_size(
         "cloud_lut", 4, 256, TableSize{90, 15},
-        "cells of the light that a cloud scatters more than once, over the field's width and depth x upward"),
+        "cells of the light that a cloud scatters more than once, over the field's width and depth x upward; a carved "
+        "field of fewer levels gets more cells across, as many in all"),
     parameter::choice("cloud_resolution", kCloudResolutions, "half",
                       "half: march through clouds at every second pixel each way and go between, but where their light "
                       "differs by 15 %, at edges, and in cube and octahedral maps"),

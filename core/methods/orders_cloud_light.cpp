@@ -94,15 +94,20 @@ bool is_thin(const CloudGrid& grid, double scale) {
   return densest <= kThickest && densest * std::max({grid.cell_x, grid.cell_y, grid.cell_z()}) <= kDeepest;
 }
 
+// A carved field of fewer levels than `most` gets more cells across, as many in all: lobes are finer than they.
 CloudCells coarse_cells(const CloudGrid& grid, TableSize most, const std::string& cloud) {
-  const auto across = static_cast<std::uint32_t>(most[0]);
+  const bool carved = grid.edge.tiles > 0.0;
   const auto up = static_cast<std::uint32_t>(most[1]);
+  const double spare = carved ? std::max(most[1] / static_cast<double>(grid.nz), 1.0) : 1.0;
+  const auto across = static_cast<std::uint32_t>(most[0] * std::sqrt(spare));
   const CloudCells shape = shape_of(grid);
   CloudCells coarse = coarse_shape(shape, across, across, up);
-  coarse.extinction = kept_floats(key_on(key_on(cloud, shape) + " cells", coarse), [&] {
+  // A carved field's values are means already, since its water does not pass evenly from middle to middle.
+  const CellValues values = carved ? CellValues::means : CellValues::middles;
+  coarse.extinction = kept_floats(key_on(key_on(cloud, shape) + " means", coarse), [&] {
     CloudCells fine = cells_of(grid);
-    CloudCells means = coarsened(fine, across, across, up, CellValues::middles);
-    return with_lumps(std::move(means), std::move(fine), CellValues::middles).extinction;
+    CloudCells means = coarsened(fine, across, across, up, values);
+    return with_lumps(std::move(means), std::move(fine), values).extinction;
   });
   return coarse;
 }
@@ -207,25 +212,28 @@ CloudInputs add_inputs(Plan& plan, const std::shared_ptr<const CloudGrid>& grid,
 }
 
 // The sun's light in cells that are named so.
-BufferId add_beam(Plan& plan, const std::string& name, const CloudInputs& inputs, const CloudCells& coarse,
+BufferId add_beam(Plan& plan, const std::string& name, const CloudInputs& inputs, const LaidCells& laid,
                   const std::string& key) {
-  const auto count = static_cast<std::uint32_t>(coarse.count());
+  const CloudCells& cells = laid.cells;
+  const auto count = static_cast<std::uint32_t>(cells.count());
   const BufferId beam =
       plan.add_buffer({.name = name, .bytes = count * sizeof(float), .key = key + " " + name, .zeroed = false});
+  std::vector<Binding> reads = inputs.reads();
+  reads.push_back({"extinctions", laid.extinction});
   plan.add_pass({.name = name,
                  .shader = "cloud_beam",
-                 .reads = inputs.reads(),
+                 .reads = std::move(reads),
                  .writes = {{"beam_out", beam}},
                  .grid = {count, 1, 1},
-                 .push_constants = {coarse.nx, coarse.ny, coarse.nz},
+                 .push_constants = {cells.nx, cells.ny, cells.nz},
                  .cost = 10.0});
   return beam;
 }
 
 // The light in the cloud. That of sky and ground is smooth: cells of twice the size do.
 struct Fields {
-  CloudCells cells;
-  CloudCells coarser;
+  LaidCells laid;
+  LaidCells coarser;
   CloudTables tables;
   CloudField sun;
   CloudField sky;
@@ -234,28 +242,28 @@ struct Fields {
 
 ImageId add_sources(Plan& plan, const Fields& fields, const std::string& key) {
   constexpr std::uint32_t kBlocks = 4;
-  const CloudCells& cells = fields.cells;
+  const CloudCells& cells = fields.laid.cells;
+  const CloudCells& coarser = fields.coarser.cells;
   const Extent extent{(cells.nx + 1) * kBlocks, cells.ny + 1, cells.nz + 2};
   const ImageId sources =
       plan.add_image({.name = "cloud_source", .extent = extent, .key = key + " sources", .stored = true});
-  plan.add_pass(
-      {.shader = "cloud_source",
-       .reads = {{"scattering", fields.tables.scattering},
-                 {"sun", fields.sun.moments},
-                 {"sky", fields.sky.moments},
-                 {"ground", fields.ground.moments},
-                 {"cells", fields.sun.extinction},
-                 {"coarser_cells", fields.sky.extinction}},
-       .writes = {{"source_out", sources}},
-       .grid = extent,
-       .push_constants = {cells.nx, cells.ny, cells.nz, fields.coarser.nx, fields.coarser.ny, fields.coarser.nz}});
+  plan.add_pass({.shader = "cloud_source",
+                 .reads = {{"scattering", fields.tables.scattering},
+                           {"sun", fields.sun.moments},
+                           {"sky", fields.sky.moments},
+                           {"ground", fields.ground.moments},
+                           {"cells", fields.laid.extinction},
+                           {"coarser_cells", fields.coarser.extinction}},
+                 .writes = {{"source_out", sources}},
+                 .grid = extent,
+                 .push_constants = {cells.nx, cells.ny, cells.nz, coarser.nx, coarser.ny, coarser.nz}});
   return sources;
 }
 
 constexpr std::uint32_t kLevelsBelow = 3;  // as shaders/shared/cloud_around.glsl has them
 
 ImageId add_around(Plan& plan, const CloudInputs& inputs, const Fields& fields, const std::string& key) {
-  const CloudCells& cells = fields.coarser;
+  const CloudCells& cells = fields.coarser.cells;
   const Extent extent{cells.nx + 1, cells.ny + 1, kLevelsBelow + cells.nz + 1};
   const ImageId around =
       plan.add_image({.name = "cloud_around", .extent = extent, .key = key + " around", .stored = true});
@@ -276,7 +284,8 @@ ImageId add_around(Plan& plan, const CloudInputs& inputs, const Fields& fields, 
 }
 
 ImageId add_sums(Plan& plan, const CloudInputs& inputs, const Fields& fields, ImageId around, const std::string& key) {
-  const Extent extent{4 + fields.coarser.nz, 2, 1};
+  const CloudCells& cells = fields.coarser.cells;
+  const Extent extent{4 + cells.nz, 2, 1};
   const ImageId sums = plan.add_image({.name = "cloud_sums", .extent = extent, .key = key + " sums", .stored = true});
   std::vector<Binding> reads = inputs.reads();
   reads.insert(reads.end(), {{"ordinates", fields.tables.ordinates},
@@ -288,7 +297,7 @@ ImageId add_sums(Plan& plan, const CloudInputs& inputs, const Fields& fields, Im
                  .reads = std::move(reads),
                  .writes = {{"sums_out", sums}},
                  .grid = {256, 1, 1},
-                 .push_constants = {fields.coarser.nx, fields.coarser.ny, fields.coarser.nz},
+                 .push_constants = {cells.nx, cells.ny, cells.nz},
                  .cost = 400.0});
   return sums;
 }
@@ -330,20 +339,23 @@ BufferId add_ground(Plan& plan, const CloudInputs& inputs, const CloudCells& cel
 
 Fields add_fields(Plan& plan, const CloudCells& coarse, const CloudDrops& drops, const CloudInputs& inputs,
                   physics::vec3 to_sun, const std::string& key) {
-  Fields fields{.cells = coarse, .coarser = {}, .tables = {}, .sun = {}, .sky = {}, .ground = {}};
-  const CloudCells& cells = fields.cells;
-  fields.coarser = coarsened(cells, (cells.nx + 1) / 2, (cells.ny + 1) / 2, (cells.nz + 1) / 2);
-  fields.tables = add_cloud_tables(plan, drops, -to_sun);
-  const auto add = [&](const CloudCells& on, const CloudIncident& incident, BufferId beam,
+  CloudCells coarser = coarsened(coarse, (coarse.nx + 1) / 2, (coarse.ny + 1) / 2, (coarse.nz + 1) / 2);
+  Fields fields{.laid = add_cloud_cells(plan, "cloud_cells", coarse, drops),
+                .coarser = add_cloud_cells(plan, "cloud_coarser_cells", std::move(coarser), drops),
+                .tables = add_cloud_tables(plan, drops, -to_sun),
+                .sun = {},
+                .sky = {},
+                .ground = {}};
+  const auto add = [&](const LaidCells& on, const CloudIncident& incident, BufferId beam,
                        const SweepSettings& settings = {}) {
     return add_cloud_field(plan, on, drops, incident, settings, fields.tables, beam, key);
   };
-  const BufferId beam = add_beam(plan, "cloud_beam", inputs, cells, key);
+  const BufferId beam = add_beam(plan, "cloud_beam", inputs, fields.laid, key);
   const BufferId coarser_beam = add_beam(plan, "cloud_beam_start", inputs, fields.coarser, key);
   const CloudField start = add(fields.coarser, {.name = "sun_start", .sun = true}, coarser_beam);
-  fields.sun = add(cells, {.name = "sun", .sun = true}, beam, {.start = {{start, fields.coarser}}});
+  fields.sun = add(fields.laid, {.name = "sun", .sun = true}, beam, {.start = {{start, fields.coarser}}});
   fields.sky = add(fields.coarser, {.name = "sky", .above = 1.0}, beam);
-  const BufferId ground = add_ground(plan, inputs, fields.coarser, fields.tables, start, key);
+  const BufferId ground = add_ground(plan, inputs, fields.coarser.cells, fields.tables, start, key);
   fields.ground = add(fields.coarser, {.name = "ground", .below = 1.0, .ground = ground}, beam);
   return fields;
 }

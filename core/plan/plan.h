@@ -161,6 +161,8 @@ class Plan {
   BufferId add_shared_buffer(BufferDesc desc);
   // Likewise one buffer for the current scene.
   BufferId add_buffer_once(BufferDesc desc);
+  // The host can read the buffer's contents after the run.
+  void make_readable(BufferId buffer) { buffers_.at(buffer.index).host_readable = true; }
   void add_pass(PassDesc desc);
   // Copies an image to a new host-readable buffer after the last pass, tightly packed, rows from the top.
   BufferId add_readback(ImageId image);

@@ -119,12 +119,13 @@ Solved solve(const CloudCells& cells, const CloudDrops& drops, double elevation,
   Plan plan;
   const BufferId lit = plan.add_buffer(filled_buffer("beam", bytes_of(s.beam.cells)));
   const CloudTables tables = add_cloud_tables(plan, drops, s.sun);
+  const LaidCells laid = add_cloud_cells(plan, "cells", cells, drops);
   std::vector<CloudField> fields;
   for (const CloudIncident& incident :
        {CloudIncident{.name = "sun", .sun = true}, CloudIncident{.name = "sky", .above = 1.0},
         CloudIncident{.name = "ground", .below = 1.0}}) {
     const SweepSettings settings{.sweeps = sweeps, .host_readable = true};
-    fields.push_back(add_cloud_field(plan, cells, drops, incident, settings, tables, lit, {}));
+    fields.push_back(add_cloud_field(plan, laid, drops, incident, settings, tables, lit, {}));
   }
   const RunResult result = cloud_executor().run(plan);
   for (std::size_t i = 0; i < 3; ++i) {
