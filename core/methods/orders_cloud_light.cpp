@@ -94,19 +94,13 @@ bool is_thin(const CloudGrid& grid, double scale) {
   return densest <= kThickest && densest * std::max({grid.cell_x, grid.cell_y, grid.cell_z()}) <= kDeepest;
 }
 
-// A carved field of fewer levels than `most` gets more cells across, as many in all: lobes are finer than they.
 CloudCells coarse_cells(const CloudGrid& grid, TableSize most, const std::string& cloud) {
-  const bool carved = grid.edge.tiles > 0.0;
-  const auto up = static_cast<std::uint32_t>(most[1]);
-  const double spare = carved ? std::max(most[1] / static_cast<double>(grid.nz), 1.0) : 1.0;
-  const auto across = static_cast<std::uint32_t>(most[0] * std::sqrt(spare));
-  const CloudCells shape = shape_of(grid);
-  CloudCells coarse = coarse_shape(shape, across, across, up);
+  CloudCells coarse = light_shape(grid, most);
   // A carved field's values are means already, since its water does not pass evenly from middle to middle.
-  const CellValues values = carved ? CellValues::means : CellValues::middles;
-  coarse.extinction = kept_floats(key_on(key_on(cloud, shape) + " means", coarse), [&] {
+  const CellValues values = grid.edge.tiles > 0.0 ? CellValues::means : CellValues::middles;
+  coarse.extinction = kept_floats(key_on(key_on(cloud, shape_of(grid)) + " means", coarse), [&] {
     CloudCells fine = cells_of(grid);
-    CloudCells means = coarsened(fine, across, across, up, values);
+    CloudCells means = coarsened(fine, coarse.nx, coarse.ny, coarse.nz, values);
     return with_lumps(std::move(means), std::move(fine), values).extinction;
   });
   return coarse;

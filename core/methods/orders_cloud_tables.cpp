@@ -104,6 +104,13 @@ CloudCells shape_of(const CloudGrid& grid) {
           .cell_z = grid.cell_z()};
 }
 
+CloudCells light_shape(const CloudGrid& grid, TableSize most) {
+  const bool carved = grid.edge.tiles > 0.0;
+  const double spare = carved ? std::max(most[1] / static_cast<double>(grid.nz), 1.0) : 1.0;
+  const auto across = static_cast<std::uint32_t>(most[0] * std::sqrt(spare));
+  return coarse_shape(shape_of(grid), across, across, static_cast<std::uint32_t>(most[1]));
+}
+
 CloudCells cells_of(const CloudGrid& grid) {
   CloudCells cells = shape_of(grid);
   cells.extinction = grid.extinction;

@@ -22,6 +22,9 @@ std::size_t corners_of(const CloudGrid& grid, std::size_t finer);
 
 CloudCells cells_of(const CloudGrid& grid);
 CloudCells shape_of(const CloudGrid& grid);  // without values
+// The cells of the light in a cloud, without values: at most so many across and up. A carved field of fewer levels than
+// `most` gets more across, as many in all: lobes are finer than they.
+CloudCells light_shape(const CloudGrid& grid, TableSize most);
 // `cloud` as a text, and how many cells it has.
 std::string key_on(const std::string& cloud, const CloudCells& cells);
 

@@ -191,9 +191,8 @@ void expect_sunlight_of_photons(Scene scene, const char* name) {
   constexpr int kPhotons = 300000;
   constexpr double kMuch = 0.05;  // of all water
   const auto grid = std::make_shared<const CloudGrid>(cloud_grid(scene.clouds.front()));
-  const auto [across, up] = scene.render.get<TableSize>("cloud_lut");
-  const CloudCells cells = coarsened(orders::cells_of(*grid), static_cast<std::uint32_t>(across),
-                                     static_cast<std::uint32_t>(across), static_cast<std::uint32_t>(up));
+  const CloudCells shape = orders::light_shape(*grid, scene.render.get<TableSize>("cloud_lut"));
+  const CloudCells cells = coarsened(orders::cells_of(*grid), shape.nx, shape.ny, shape.nz);
   const vec3 to_sun = toward_sun(scene);
   const Meetings photons = met(grid, cells, to_sun, 3, kPhotons);
   const double per_photon = to_sun.y * grid->nx * grid->cell_x * grid->ny * grid->cell_y / kPhotons;
