@@ -204,14 +204,8 @@ TEST(CarvedClouds, AFieldIsAsBrightAsByPathTrace) {
 // A broken sheet under so low a sun that one ray stands for each place of the table of its depths is 20 % too dark on
 // its sunlit side: cells that spread the water of its edge let light out too soon.
 TEST(CarvedClouds, ASheetUnderALowSunIsAsBrightAsByPathTrace) {
-  Scene scene = among_cumulus(6.0, 0.6);
-  Cloud& cloud = scene.clouds.front();
-  cloud.kind = CloudKind::stratocumulus;
-  cloud.base = 0.8;
-  cloud.top = 1.2;
-  cloud.cell = 1.2;
-  cloud.shear = 0.0;
-  EXPECT_GT(cloud_grid(cloud).edge.tiles, 0.0);
+  Scene scene = among_sheets(6.0, 0.6);
+  EXPECT_GT(cloud_grid(scene.clouds.front()).edge.tiles, 0.0);
   scene.render.parameters.find("cloud_resolution")->second = std::string("full");
   const double ratio = sum_of_picture(scene) / sum_of_picture(traced(scene, 64));
   std::printf("a broken sheet: %+.2f %%\n", 100.0 * (ratio - 1.0));

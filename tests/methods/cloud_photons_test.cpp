@@ -226,14 +226,7 @@ void expect_sunlight_of_photons(Scene scene, const char* name) {
 // light where the water is in place of what it takes, cells of a sheet under a low sun would take 1.2 times as much.
 TEST(CloudPhotons, LeaveTheSunsLightWhereCellsTakeIt) {
   expect_sunlight_of_photons(among_cumulus(20.0, 0.35), "cumulus");
-  Scene sheet = among_cumulus(5.0, 0.6);
-  Cloud& cloud = sheet.clouds.front();
-  cloud.kind = CloudKind::stratocumulus;
-  cloud.base = 0.8;
-  cloud.top = 1.2;
-  cloud.cell = 1.2;
-  cloud.shear = 0.0;
-  expect_sunlight_of_photons(sheet, "a sheet");
+  expect_sunlight_of_photons(among_sheets(5.0, 0.6), "a sheet");
 }
 
 }  // namespace

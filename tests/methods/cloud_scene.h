@@ -161,4 +161,16 @@ inline Scene among_cumulus(double sun_elevation_deg, double cover) {
   return scene;
 }
 
+// The same among broken sheets, of stratocumulus.
+inline Scene among_sheets(double sun_elevation_deg, double cover) {
+  Scene scene = among_cumulus(sun_elevation_deg, cover);
+  Cloud& cloud = scene.clouds.front();
+  cloud.kind = CloudKind::stratocumulus;
+  cloud.base = 0.8;
+  cloud.top = 1.2;
+  cloud.cell = 1.2;
+  cloud.shear = 0.0;
+  return scene;
+}
+
 }  // namespace airlight::test
