@@ -222,8 +222,9 @@ void expect_sunlight_of_photons(Scene scene, const char* name) {
   }
 }
 
-// What the cells take is what the photons leave there: by means that count the water beside a cell as well, or by the
-// light where the water is in place of what it takes, cells of a sheet under a low sun would take 1.2 times as much.
+// What the cells take is what the photons leave there. With means that count the water beside a cell as well, and with
+// the light of the water in place of what it takes, cells of a sheet under a sun of 4 degrees would take 1.2 times as
+// much.
 TEST(CloudPhotons, LeaveTheSunsLightWhereCellsTakeIt) {
   expect_sunlight_of_photons(among_cumulus(20.0, 0.35), "cumulus");
   expect_sunlight_of_photons(among_sheets(5.0, 0.6), "a sheet");
