@@ -1,17 +1,24 @@
 #include "app/cli/choice_options.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <string_view>
+#include <vector>
 
 #include "app/cli/progress.h"
 #include "core/base/clock.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/chart/timing.h"
+#include "core/gpu/kept_values.h"
 #include "core/measure/sample_error.h"
+#include "core/output/exr.h"
+#include "core/output/half_block.h"
+#include "core/scene/preset.h"
 
 namespace airlight::cli {
 namespace {
@@ -33,6 +40,20 @@ void refuse_departures(const Scene& scene) {
   }
 }
 
+// The judge's time was up: what it could tell of the best, and how it may tell more.
+std::string what_ran_out(const ChoiceReport& report, const std::string& best) {
+  const double error = report.choice.best->error;
+  const bool told = error < measure::kWorstError;
+  std::string text = "in " + rounded(report.patience_s, 2) + " CPU-s path-trace ";
+  text += told ? "told no more than that " + best + " is at most " + percent(error, 3) + " off here; allow that, "
+               : "could not tell how accurate " + best + " is here; ";
+  if (told && report.wish.keeps_traces) {
+    text += "give the same command again, which goes on from there, ";
+  }
+  return text + (told ? "or " : "") + "allow more time, as by --judge-time " +
+         rounded(std::ceil(4.0 * report.patience_s), 4) + "s";
+}
+
 [[noreturn]] void refuse_unreached(const ChoiceReport& report) {
   const Choice& choice = report.choice;
   const std::string methods =
@@ -46,14 +67,46 @@ void refuse_departures(const Scene& scene) {
                      " is that fast here; the fastest is " + best + ", with " + rounded(choice.best->ms, 4) +
                      " ms; give it that, or a smaller picture with --size");
   }
-  if (choice.best->error >= measure::kWorstError) {
-    throw InputError("render: --tolerance " + percent(report.wish.tolerance, 3) +
-                     ": path-trace was stopped before it could tell how accurate " + best +
-                     " is here; render without --tolerance, or use --method path-trace with --target-error");
+  const std::string wished = "render: --tolerance " + percent(report.wish.tolerance, 3) + ": ";
+  if (choice.ran_out) {
+    throw InputError(wished + what_ran_out(report, best));
   }
-  throw InputError("render: --tolerance " + percent(report.wish.tolerance, 3) + ": " + methods +
-                   " is sure to be that accurate here; the best is " + best + ", with an error of at most " +
-                   percent(choice.best->error, 3) + "; allow that, or use --method path-trace with --target-error");
+  throw InputError(wished + methods + " is sure to be that accurate here; the best is " + best +
+                   ", with an error of at most " + percent(choice.best->error, 3) +
+                   "; allow that, or use --method path-trace with --target-error");
+}
+
+// Of the plain picture's CPU time. With what is rendered to measure that, and the picture in the end, a command that
+// chooses takes at most 20 times as long, unless more is allowed.
+constexpr double kPatience = 16.0;
+constexpr double kLeastPatience = 2.0;  // CPU-seconds: starting the program is most of a small picture's time
+
+// CPU time of all threads that the whole picture and its EXR take by `orders` at its defaults once shaders and tables
+// are there: the lesser of two goes', kept for later starts. Of pictures too large to be held, what is surely less.
+double plain_cpu_ms(const DeviceOnDemand& device, const Stage& stage) {
+  constexpr double kMostPixels = 1 << 23;
+  constexpr double kOfMore = 1e3 * choice::kLongPatience / kPatience;
+  const Stage plain = choice::default_candidate(stage).stage;
+  const ImageSize size = plain.scene().image;
+  if (1.0 * size.width * size.height > kMostPixels) {
+    return kOfMore;
+  }
+  const auto measure = [&] {
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 2; ++i) {
+      const double start = process_cpu_ms();
+      const Rendering rendering = render(device, plain, {});
+      std::vector<ExrChannel> channels;
+      add_channels(channels, "", rendering.radiance);
+      ExrOptions options;
+      options.half = half_loss(rendering.radiance, rendering.picture.metered_luminance).empty();
+      encode_exr(size.width, size.height, channels, options);
+      least = std::min(least, process_cpu_ms() - start);
+    }
+    return std::vector<float>{static_cast<float>(least)};
+  };
+  const std::string key = "time of the plain picture\n" + device().device().name + "\n" + to_json(plain.scene());
+  return kept_floats(key, measure).front();
 }
 
 chart::TimingRules quick() {
@@ -109,6 +162,12 @@ ChoiceReport choose_rendering(const Stage& stage, const ChoiceWish& wish, const 
   looks.probe = [&](const Stage& candidate, const choice::Probes& probes) {
     tell_what("probing", candidate);
     return probe_picture(device, candidate, probes.directions);
+  };
+  looks.patience = [&] {
+    report.patience_s = wish.judge_s > 0.0
+                            ? wish.judge_s
+                            : std::max(1e-3 * kPatience * (cpu + plain_cpu_ms(device, stage)), kLeastPatience);
+    return report.patience_s;
   };
   looks.trace = [&](const Stage& whole, const choice::Probes& probes, const choice::TraceOrder& order) {
     if (status) {

@@ -75,7 +75,11 @@ std::vector<Option> render_options(RenderOrder& given) {
                                          "Choose the cheapest method and quality whose mean relative error stays below "
                                          "this, e.g. 1%, by probing this very picture; with --method among its "
                                          "qualities",
-                                         given.tolerance)}));
+                                         given.tolerance),
+                            {"--judge-time", "TIME",
+                             "How much CPU time of all threads path-trace may take to judge what --tolerance asks for, "
+                             "e.g. 60s; without it as much as makes the command 20 times as dear as the plain picture",
+                             &given.judge_time}}));
   append(options, sampling_options(given.sampling));
   append(options, picture_options(given.picture));
   append(options, run_options(given));
@@ -122,7 +126,9 @@ Command render_command() {
       "once. Otherwise path-trace measures the error at 128 of the picture's pixels, which takes about a second for "
       "3 % and ten for 1 %, or airlight computes 256 directions with each candidate. The log, --json and the EXR "
       "tell the choice, the bound that its error keeps and what it leaves out. -v and --dry-run tell what was "
-      "tried. If nothing reaches a tolerance, airlight refuses it and names the best that you can have.";
+      "tried. If nothing reaches a tolerance, airlight refuses it and names the best that you can have. Where "
+      "path-trace would make the command more than 20 times as dear as the plain picture, airlight stops and tells "
+      "the bound so far. The same command then goes on from there, and --judge-time allows more at once.";
   command.examples = {
       {"airlight render earth-sunset", "Write out/earth-sunset.exr and out/earth-sunset.png"},
       {"airlight render my-sky.json -o sky.exr --png sky.png --sun-elevation 2 --size 1920x1080",

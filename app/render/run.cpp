@@ -68,6 +68,9 @@ sequence::Frame locked_frame(const Scene& scene) {
 std::optional<ChoiceWish> choice_wish(const RenderOrder& given, const Scene& scene) {
   const bool by_time = given.sampling.time_limit && !samples(scene);
   if (!given.tolerance && !by_time) {
+    if (given.judge_time) {
+      throw InputError("render: --judge-time is for --tolerance and --time-limit; give one of them, or leave it out");
+    }
     return std::nullopt;
   }
   const std::string option = given.tolerance ? "--tolerance" : "--time-limit";
@@ -80,6 +83,13 @@ std::optional<ChoiceWish> choice_wish(const RenderOrder& given, const Scene& sce
     }
   }
   ChoiceWish wish;
+  wish.keeps_traces = !given.scene.no_cache;
+  if (given.judge_time) {
+    wish.judge_s = 1e-3 * milliseconds_from(*given.judge_time, "render: --judge-time");
+    if (!(wish.judge_s > 0.0)) {
+      throw InputError("render: --judge-time: nothing is judged in no time; write for example 60s");
+    }
+  }
   wish.method = given.scene.method.value_or("");
   if (given.tolerance && find_method(wish.method) != nullptr && samples(scene)) {
     throw InputError("render: --tolerance: " + wish.method + " samples until --target-error; give that instead");

@@ -17,6 +17,7 @@ struct RenderOrder {
   PlaceOptions place;
   SamplingOptions sampling;
   std::optional<double> tolerance;
+  std::optional<std::string> judge_time;
   std::optional<std::string> exr;
   std::optional<std::string> png;
   std::optional<std::string> tables;

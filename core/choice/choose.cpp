@@ -119,7 +119,8 @@ struct Ground {
       return;
     }
     Judgement verdict = judge.tell(plain, kReferenceShare);
-    if (verdict.at_most > kReferenceShare * tolerance && verdict.at_least <= kHopeless * tolerance) {
+    if (verdict.at_most > kReferenceShare * tolerance && verdict.at_least <= kHopeless * tolerance &&
+        !judge.is_over()) {
       made.push_back(reference(lighter.stage, true));
       std::vector<float> better = looks.probe(made.back().stage, probes);
       const Judgement of_better = judge.told(every(better, kTracedOf));
@@ -212,7 +213,7 @@ std::optional<Choice> sure_choice(const Stage& stage, double tolerance, const st
   return only_choice(default_candidate(stage), *error);
 }
 
-// The same, where path-trace says that it does; a refusal where nothing else is tried.
+// The same, where path-trace says that it does; a refusal where nothing else is tried or the time is up.
 std::optional<Choice> judged_choice(const Stage& stage, double tolerance, const std::string& only,
                                     const ProbeFunction& probe, Judge& judge) {
   if (!default_will_do(stage, only) || !can_be_traced(stage.scene()) || judge.probes().directions.empty()) {
@@ -223,7 +224,7 @@ std::optional<Choice> judged_choice(const Stage& stage, double tolerance, const 
   const double dark = judge.darkness(radiance);
   const Judgement verdict = dark > 0.0 ? Judgement{} : judge.tell(radiance, 1.0);
   const bool refused = verdict.at_most > tolerance;
-  if (refused && !only_defaults(stage, only)) {
+  if (refused && !only_defaults(stage, only) && !judge.is_over()) {
     return std::nullopt;
   }
   Choice choice = only_choice(candidate, verdict.at_most);
@@ -232,6 +233,7 @@ std::optional<Choice> judged_choice(const Stage& stage, double tolerance, const 
   }
   choice.probes = judge.probes().directions.size();
   choice.traced = choice.probes;
+  choice.ran_out = refused && judge.is_over();
   choice.dark = dark;
   tell_darkness(choice);
   return choice;
@@ -283,17 +285,29 @@ Choice choose_for_tolerance(const Stage& stage, double tolerance, const std::str
     return *std::move(choice);
   }
   const Probes probes = choose_probes(stage.scene(), kProbes);
-  Judge judge(stage, every(probes, kTracedOf), tolerance, looks.trace);
+  Judge judge(stage, every(probes, kTracedOf), tolerance, looks.trace, looks.patience);
   if (std::optional<Choice> choice = judged_choice(stage, tolerance, only, looks.probe, judge)) {
     return *std::move(choice);
   }
   const Ground ground(stage, tolerance, kReferenceShare * tolerance, looks, probes, judge);
   Choice choice = ground.begin();
-  for (const Candidate& candidate : candidates(ground.lighter.stage, tolerance, only, ground.made)) {
+  const auto holds = [&](const Candidate& candidate) {
     const Tried tried{candidate.method, candidate.quality, candidate.cost.total(), ground.bound_of(candidate), 0.0};
     note(choice, tried);
     if (tried.error <= tolerance) {
       settle(choice, candidate, tried);
+    }
+    return tried.error <= tolerance;
+  };
+  for (const Candidate& candidate : candidates(ground.lighter.stage, tolerance, only, ground.made)) {
+    if (judge.is_over() && ground.known_error > tolerance) {
+      const bool any = only.empty() || only == "orders";
+      // More paths might find the reference better, but not what is too far from it.
+      choice.ran_out = !holds(any ? default_candidate(ground.lighter.stage) : candidate) &&
+                       choice.best->error - ground.known_error <= tolerance;
+      break;
+    }
+    if (holds(candidate)) {
       break;
     }
   }
@@ -305,7 +319,7 @@ Choice choose_for_time(const Stage& stage, double limit_ms, const std::string& o
   constexpr double kClose = 0.01;    // how well errors are told apart
   constexpr double kAnything = 1e9;  // that is known of the reference serves: no tolerance hangs on it
   const Probes probes = choose_probes(stage.scene(), kProbes);
-  Judge judge(stage, every(probes, kTracedOf), kClose, looks.trace);
+  Judge judge(stage, every(probes, kTracedOf), kClose, looks.trace, looks.patience);
   const Ground ground(stage, kClose, kAnything, looks, probes, judge);
   Choice choice = ground.begin();
   std::map<std::string, double> fastest;

@@ -21,6 +21,7 @@ using ProbeFunction = std::function<std::vector<float>(const Stage& stage, const
 struct Looks {
   ProbeFunction probe;
   TraceFunction trace;
+  PatienceFunction patience = [] { return kLongPatience; };
 };
 
 struct Tried {
@@ -40,6 +41,7 @@ struct Choice {
   std::optional<Tried> best;     // of those: the smallest error
   std::size_t probes = 0;
   std::size_t traced = 0;  // probes that path-trace judged
+  bool ran_out = false;    // the judge's time was up before anything was sure to do; the same choice again goes on
   std::vector<std::string> left_out;
   double dark = 0.0;  // dark_radiance() of the picture
 };

@@ -176,14 +176,18 @@ Judgement Judge::tell(std::span<const float> radiance, double share) {
 
 // Half as many samples again as there are, or until the noise is as small as that. False: there is no time for more.
 bool Judge::trace_more(double target_error) {
+  if (runs_ == 0) {
+    end_ = cpu_seconds() + patience_();
+  }
   TraceOrder order{.seed = kSeed + runs_,
                    .target_error = target_error,
                    .samples = kMostSamples,
-                   .cpu_seconds = kMostCpuSeconds - cpu_seconds_};
+                   .cpu_seconds = std::max(end_ - cpu_seconds(), 0.0)};
   if (was_asked()) {
     const double affordable = order.cpu_seconds * traced_.samples / std::max(cpu_seconds_, 1e-6);
     order.samples = std::max(kFewestSamples, std::min(0.5 * traced_.samples, affordable));
     if (affordable < kFewestSamples || traced_.samples >= kMostSamples) {
+      ran_out_ = true;
       return false;
     }
   }
@@ -192,7 +196,12 @@ bool Judge::trace_more(double target_error) {
   cpu_seconds_ += cpu_seconds() - start;
   ++runs_;
   traced_ = together(traced_, more);
-  return !more.radiance.empty();
+  ran_out_ = more.radiance.empty();
+  return !ran_out_;
+}
+
+bool Judge::is_over() const {
+  return ran_out_ || (runs_ > 0 && cpu_seconds() >= end_);
 }
 
 double Judge::darkness(const std::vector<float>& radiance) {

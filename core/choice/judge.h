@@ -30,6 +30,10 @@ struct TraceOrder {
 // Of no probe where the time was up before there was a standard error.
 using TraceFunction = std::function<Traced(const Stage& stage, const Probes& probes, const TraceOrder& order)>;
 
+// CPU-seconds of all threads that a choice may take from when the first paths are wanted; asked then.
+using PatienceFunction = std::function<double()>;
+inline constexpr double kLongPatience = 20.0;
+
 // Whether path-trace renders such a scene: it knows all things in it.
 bool can_be_traced(const Scene& scene);
 
@@ -60,10 +64,9 @@ double dark_radiance(const Scene& scene, const std::vector<float>& reference);
 // counts in all verdicts after it.
 class Judge {
  public:
-  static constexpr double kMostCpuSeconds = 20.0;  // of tracing, in all
-
-  Judge(const Stage& stage, const Probes& probes, double tolerance, const TraceFunction& trace)
-      : stage_(stage), probes_(probes), tolerance_(tolerance), trace_(trace) {}
+  Judge(const Stage& stage, const Probes& probes, double tolerance, const TraceFunction& trace,
+        const PatienceFunction& patience)
+      : stage_(stage), probes_(probes), tolerance_(tolerance), trace_(trace), patience_(patience) {}
 
   // Radiance at the probes: by paths as many as it takes to tell whether its error is below `share` of the tolerance or
   // above the tolerance, until their noise is a quarter of the tolerance or time is up.
@@ -73,6 +76,8 @@ class Judge {
   // dark_radiance() of a picture, where few paths bring no more light either.
   double darkness(const std::vector<float>& radiance);
   bool was_asked() const { return !traced_.radiance.empty(); }
+  // Whether the time is up, or more paths were wanted than there was time for.
+  bool is_over() const;
   const Probes& probes() const { return probes_; }
 
  private:
@@ -83,9 +88,12 @@ class Judge {
   Probes probes_;
   double tolerance_;
   const TraceFunction& trace_;
+  const PatienceFunction& patience_;
   Traced traced_;
   int runs_ = 0;
-  double cpu_seconds_ = 0.0;  // spent
+  double end_ = 0.0;          // of the time, in the process' CPU-seconds
+  double cpu_seconds_ = 0.0;  // spent on paths
+  bool ran_out_ = false;
 };
 
 }  // namespace airlight::choice

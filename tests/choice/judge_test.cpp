@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <random>
+#include <string>
 
 #include "core/base/clock.h"
 #include "core/choice/assumed_error.h"
@@ -69,7 +71,7 @@ TEST(Tolerance, PathTraceJudgesWhatNobodyKnows) {
 TEST(Tolerance, TheJudgesTimeIsUpOnce) {
   const Scene scene = haze(kBlue, kForward);
   const double tolerance = 0.5 * *default_error(scene);
-  double left = Judge::kMostCpuSeconds;
+  double left = kLongPatience;
   Looks looks = wrong_by([=](const Scene&) { return 0.9 * tolerance; });
   std::vector<double> allowed;
   looks.trace = [&](const Stage&, const Probes& probes, const TraceOrder& order) {
@@ -88,6 +90,41 @@ TEST(Tolerance, TheJudgesTimeIsUpOnce) {
   looks.trace = [&](const Stage&, const Probes&, const TraceOrder&) { return Traced{}; };
   const Choice without = choose_for_tolerance(scene, tolerance, "orders", looks);
   EXPECT_FALSE(without.chosen) << "no paths, no verdict";
+}
+
+// How long paths may judge is asked once, when the first are wanted. When that time is up, what they told of the
+// defaults is the answer, and nothing else is tried.
+TEST(Tolerance, ATimeThatIsUpEndsTheSearch) {
+  const Scene scene = haze(kBlue, kForward);
+  const double known = *default_error(scene);
+  const double tolerance = 0.5 * known;
+  int probes = 0;
+  int asked = 0;
+  double patience = kLongPatience;
+  Looks looks = wrong_by([=](const Scene&) { return 0.9 * tolerance; }, &probes);
+  looks.patience = [&] {
+    ++asked;
+    return patience;
+  };
+  EXPECT_TRUE(choose_for_tolerance(scene, 1.1 * known, "orders", looks).chosen);
+  EXPECT_EQ(asked, 0) << "what is known needs no paths";
+  const Choice patient = choose_for_tolerance(scene, tolerance, "orders", looks);
+  EXPECT_TRUE(patient.chosen);
+  EXPECT_FALSE(patient.ran_out);
+  EXPECT_EQ(asked, 1);
+  patience = 0.0;
+  const std::map<std::string, int> wanted{{"", 1}, {"orders", 1}, {"march", 2}};  // probes, with the reference's
+  for (const auto& [only, most] : wanted) {
+    probes = 0;
+    const Choice hasty = choose_for_tolerance(scene, tolerance, only, looks);
+    EXPECT_FALSE(hasty.chosen);
+    EXPECT_TRUE(hasty.ran_out);
+    ASSERT_EQ(hasty.tried.size(), 1U);
+    EXPECT_EQ(hasty.best->method, only.empty() ? "orders" : only);
+    EXPECT_GT(hasty.best->error, tolerance);
+    EXPECT_LT(hasty.best->error, 0.1) << "what the first paths told";
+    EXPECT_EQ(probes, most) << only;
+  }
 }
 
 // Tables among terrain cost what the picture does: the defaults alone are looked at, taken or refused.

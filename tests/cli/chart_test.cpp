@@ -154,6 +154,23 @@ TEST_F(Tolerance, ThatNothingReachesNamesTheBest) {
   EXPECT_EQ(scratch_.files(), (Names{"sky.json"}));
 }
 
+// The sky at dusk is one of which too little is known for 1 %.
+TEST_F(Tolerance, ThatTakesTooLongToJudgeSaysHowToGoOn) {
+  const auto refused = [&](std::vector<std::string> more) {
+    std::vector<std::string> arguments{"render", "sky.json", "--tolerance",     "0.5%", "--method",    "orders",
+                                       "-o",     "a.exr",    "--sun-elevation", "-5",   "--judge-time"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = tool(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+    EXPECT_EQ(lines_of(outcome.err).size(), 1U) << outcome.err;
+    return outcome.err;
+  };
+  const std::string nothing = refused({"0.001ms"});
+  EXPECT_TRUE(contains(nothing, "path-trace could not tell how accurate orders, default is here; ")) << nothing;
+  EXPECT_TRUE(contains(nothing, "allow more time, as by --judge-time 1s")) << nothing;
+  EXPECT_EQ(scratch_.files(), (Names{"sky.json"}));
+}
+
 TEST_F(Tolerance, TimeLimitChoosesOrStopsSampling) {
   const Outcome chosen =
       tool({"render", "sky.json", "--time-limit", "1min", "--method", "analytic", "-o", "a.exr", "--json"});
