@@ -21,10 +21,12 @@ layout(constant_id = 54) const uint kFurther = 0u;
 layout(constant_id = 55) const uint kStretches = 0u;  // 0: both, 1: the nearer one, 2: the farther one
 layout(constant_id = 50) const uint kAirByRay = 0u;  // 1: the air's shade is found along each ray, 0: on froxels
 
-// Turns of the march along a ray. After so many fine ones its steps grow, twice as long after so many again: one to
-// three rays in a thousand take more, and a device waits for its longest rays.
-const float kFineTurns = 64.0;
-const float kTurnsToDouble = 16.0;
+// Turns of the march along a ray. After so many fine ones its steps grow, twice as long after 0.3 times as many again:
+// few rays take more, and a device waits for its longest rays. In a thin field steps are never short, and steps of
+// several cells make moire of its texture.
+const float kFineTurns = 40.0;
+const float kThinTurns = 64.0;
+const float kShareToDouble = 0.3;
 const float kMostTurns = 1024.0;
 
 const float kOpaque = 2e-3;     // a transmittance that hides what is behind
@@ -71,7 +73,10 @@ struct March {
 };
 
 // How much longer steps are than they should be.
-float growth_after(float turns) { return max(1.0, exp2((turns - kFineTurns) / kTurnsToDouble)); }
+float growth_after(float turns) {
+  float fine = cloud().thin == 1u ? kThinTurns : kFineTurns;
+  return max(1.0, exp2((turns / fine - 1.0) / kShareToDouble));
+}
 
 // Leaps over empty cells to the next step; false: no step is left before `end`.
 bool next_step(inout March m, AirRay of, float end) {
