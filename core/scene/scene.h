@@ -25,6 +25,8 @@ using Spectrum = std::array<double, 3>;
 // A coefficient or a reflectance: a value for each channel and, in a scene with spectra, the curve that they stand for.
 struct SpectralValue : Spectrum {
   Curve curve = {};
+  // Channels are 0 until the curve's are found: an array by itself holds what stood there before.
+  SpectralValue() : Spectrum{} {}
   // Takes the channels and keeps the curve.
   template <std::same_as<Spectrum> T>
   SpectralValue& operator=(const T& channels) {

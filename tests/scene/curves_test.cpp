@@ -2,7 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <memory>
+#include <new>
 
 #include "core/scene/curve_reader.h"
 #include "core/scene/density_column.h"
@@ -47,6 +52,19 @@ TEST(Curves, FillTheChannels) {
     EXPECT_NEAR(scene.media[0].scattering[c], 0.03 - 0.02 * (nm[c] - 400.0) / 300.0, 1e-12);
     EXPECT_NEAR(scene.sun.irradiance[c], 3.0, 1e-9);
   }
+}
+
+// Media are checked before the channels of their curves are found: until then these are 0, whatever stood there before.
+TEST(Curves, ChannelsBeginAsZeros) {
+  alignas(SpectralValue) std::array<std::byte, sizeof(SpectralValue)> place;
+  std::byte* const bytes = place.data();
+  std::memset(bytes, 0x42, sizeof place);      // doubles of 1.6e11
+  asm volatile("" : : "r"(bytes) : "memory");  // they stay, though nothing reads them
+  const auto* value = new (bytes) SpectralValue;
+  for (const double channel : *value) {
+    EXPECT_EQ(channel, 0.0);
+  }
+  std::destroy_at(value);
 }
 
 // 300 DU are a layer of 3 mm: the vertical optical depth is that of so many molecules, whatever the density's shape.
