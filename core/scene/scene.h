@@ -27,6 +27,8 @@ struct SpectralValue : Spectrum {
   Curve curve = {};
   // Channels are 0 until the curve's are found: an array by itself holds what stood there before.
   SpectralValue() : Spectrum{} {}
+  explicit SpectralValue(const Spectrum& channels) : Spectrum(channels) {}
+  SpectralValue(double first, double second, double third) : Spectrum{first, second, third} {}
   // Takes the channels and keeps the curve.
   template <std::same_as<Spectrum> T>
   SpectralValue& operator=(const T& channels) {

@@ -15,7 +15,8 @@ void take_material(std::size_t choice, Sphere& sphere) {
   if (grey || name == "chrome") {
     sphere.material = grey ? SphereMaterial::matte : SphereMaterial::mirror;
     const double share = grey ? kGrey : kChrome;
-    sphere.albedo = {share, share, share, constant_curve(share)};
+    sphere.albedo.fill(share);
+    sphere.albedo.curve = constant_curve(share);
   }
 }
 

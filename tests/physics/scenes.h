@@ -16,7 +16,7 @@ inline constexpr double kDegree = std::numbers::pi / 180.0;
 
 inline Medium medium(std::string name, Spectrum scattering, Spectrum absorption, Density density,
                      PhaseFunction phase = PhaseFunction::isotropic, double g = 0.8) {
-  return {std::move(name), {scattering}, {absorption}, std::move(density), phase, g};
+  return {std::move(name), SpectralValue(scattering), SpectralValue(absorption), std::move(density), phase, g};
 }
 
 // A medium's phase function by a table of Henyey-Greenstein's, at angles that crowd into the peak. Each channel has
