@@ -2,6 +2,8 @@
 find_package(OpenEXR CONFIG REQUIRED)
 find_package(CLI11 CONFIG REQUIRED)
 find_package(PNG REQUIRED)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(DEFLATE REQUIRED IMPORTED_TARGET libdeflate)
 find_package(OpenImageIO CONFIG REQUIRED)
 # libopenimageio-dev's target names an OpenCV include directory that only libopencv-dev ships.
 get_target_property(oiio_includes OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)
@@ -15,7 +17,6 @@ set_target_properties(OpenImageIO::OpenImageIO PROPERTIES INTERFACE_INCLUDE_DIRE
 # libopencolorio-dev installs its config where find_package does not look.
 find_package(OpenColorIO CONFIG QUIET)
 if(NOT OpenColorIO_FOUND)
-  find_package(PkgConfig REQUIRED)
   pkg_check_modules(OCIO REQUIRED IMPORTED_TARGET OpenColorIO)
   add_library(OpenColorIO::OpenColorIO ALIAS PkgConfig::OCIO)
 endif()

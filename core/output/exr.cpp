@@ -4,11 +4,8 @@
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfChromaticities.h>
 #include <OpenEXR/ImfFloatAttribute.h>
-#include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
-#include <OpenEXR/ImfIO.h>
 #include <OpenEXR/ImfIntAttribute.h>
-#include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStringAttribute.h>
 #include <OpenEXR/ImfThreading.h>
@@ -26,6 +23,7 @@
 
 #include "core/base/error.h"
 #include "core/output/atomic_file.h"
+#include "core/output/exr_blocks.h"
 #include "core/output/half_block.h"
 #include "core/output/long_text.h"
 #include "core/output/parallel.h"
@@ -43,34 +41,14 @@ int exr_threads() {
 
 // Number of rows converted to half at a time: whole blocks of ZIP (16), two of them for every thread, and of wide or
 // deep pictures fewer.
-int rows_at_once(int width, std::size_t channels) {
+int rows_at_once(std::size_t width, std::size_t channels) {
   constexpr std::size_t kBlock = 16;
   constexpr std::size_t kFewest = 8;  // blocks
   constexpr std::size_t kSamples = std::size_t{1} << 24;
-  const std::size_t fit = kSamples / (kBlock * static_cast<std::size_t>(width) * channels);
+  const std::size_t fit = kSamples / (kBlock * width * channels);
   const std::size_t wanted = std::max(2 * static_cast<std::size_t>(exr_threads()), kFewest);
   return static_cast<int>(kBlock * std::clamp(fit, kFewest, wanted));
 }
-
-// OpenEXR's own default since 3.1.3; at 1080p half 59 CPU-ms and 0.44 MB, where 1 takes 40 and 0.70, 6 takes 158 and
-// 0.42.
-constexpr int kZipLevel = 4;
-
-class SinkStream : public imf::OStream {
- public:
-  explicit SinkStream(ExrSink sink) : OStream("picture"), sink_(std::move(sink)) {}
-  void write(const char data[], int size) override {
-    const std::span<const char> bytes(data, static_cast<std::size_t>(size));
-    sink_(position_, std::as_bytes(bytes));
-    position_ += bytes.size();
-  }
-  std::uint64_t tellp() override { return position_; }
-  void seekp(std::uint64_t position) override { position_ = position; }
-
- private:
-  ExrSink sink_;
-  std::uint64_t position_ = 0;
-};
 
 ExrSink sink_into(std::vector<std::byte>& bytes) {
   return [&bytes](std::uint64_t position, std::span<const std::byte> piece) {
@@ -142,7 +120,6 @@ void add_frame(imf::Header& header, const FrameAttributes& frame) {
 imf::Header make_header(int width, int height, const ExrOptions& options) {
   imf::Header header(width, height);
   header.compression() = options.aces_container ? imf::NO_COMPRESSION : imf::ZIP_COMPRESSION;
-  header.zipCompressionLevel() = kZipLevel;
   const Chromaticities c = chromaticities_of(options.space);
   imf::addChromaticities(header, imf::Chromaticities(Imath::V2f(c[0], c[1]), Imath::V2f(c[2], c[3]),
                                                      Imath::V2f(c[4], c[5]), Imath::V2f(c[6], c[7])));
@@ -190,15 +167,6 @@ bool is_alpha(const std::string& name) {
   return name == "A" || name.ends_with(".A");
 }
 
-// Rows from `y` on of a channel that is stored in place.
-imf::Slice float_slice(const ExrChannel& channel, int width, int y) {
-  const std::size_t step = channel.stride * sizeof(float);
-  const std::size_t row = step * static_cast<std::size_t>(width);
-  // OpenEXR expects the address of row 0, and only reads through the pointer that it takes as char*.
-  const auto first = reinterpret_cast<std::uintptr_t>(channel.first) - row * static_cast<std::size_t>(y);
-  return imf::Slice(imf::FLOAT, reinterpret_cast<char*>(first), step, row);
-}
-
 }  // namespace
 
 void start_exr_threads() {
@@ -219,70 +187,47 @@ void add_channels(std::vector<ExrChannel>& channels, std::string_view layer, con
 }
 
 struct ExrRows::State {
-  SinkStream stream;
   ExrSink sink;
-  std::vector<std::byte> head;  // bytes written before the first row
-  std::unique_ptr<imf::OutputFile> file;
-  int width = 0;
-  int y = 0;  // of the next row
-  bool half = true;
-  std::vector<std::uint16_t> halves;
+  ExrBlocks blocks;
+  std::size_t width;
+  bool half;
   ExrCounts counts;
 
-  State(ExrSink to, int columns, bool halves_wanted)
-      : stream([this](std::uint64_t position, std::span<const std::byte> bytes) { pass_on(position, bytes); }),
-        sink(std::move(to)),
-        width(columns),
-        half(halves_wanted) {}
+  State(const ExrSink& to, const imf::Header& header, int columns, bool halves_wanted)
+      : sink(to), blocks(to, header), width(static_cast<std::size_t>(columns)), half(halves_wanted) {}
 
-  void pass_on(std::uint64_t position, std::span<const std::byte> bytes) {
-    if (file == nullptr) {
-      sink_into(head)(position, bytes);
-    }
-    sink(position, bytes);
-  }
-  void add_block(int rows, std::size_t done, std::span<const ExrChannel> channels);
+  void add(int rows, std::size_t done, std::span<const ExrChannel> channels);
 };
 
-void ExrRows::State::add_block(int rows, std::size_t done, std::span<const ExrChannel> channels) {
-  const std::size_t columns = static_cast<std::size_t>(width);
-  const std::size_t pixels = columns * static_cast<std::size_t>(rows);
-  halves.resize(half ? pixels * channels.size() : 0);
-  imf::FrameBuffer frame;
-  for (std::size_t c = 0; c < channels.size(); ++c) {
-    ExrChannel channel = channels[c];
-    channel.first += done * channel.stride;
-    if (half && !channel.full_float) {
-      frame.insert(channel.name,
-                   imf::Slice::Make(imf::HALF, halves.data() + c * pixels, Imath::V2i(0, y), width, rows));
-    } else {
-      frame.insert(channel.name, float_slice(channel, width, y));
-    }
+void ExrRows::State::add(int rows, std::size_t done, std::span<const ExrChannel> channels) {
+  std::vector<std::size_t> first_words;
+  for (const ExrChannel& channel : channels) {
+    first_words.push_back(blocks.first_word(channel.name));
   }
+  const std::span<std::uint16_t> room = blocks.room(rows);
   std::mutex counting;
   for_row_strips(rows, [&](int begin, int end) {
-    const std::size_t skipped = columns * static_cast<std::size_t>(begin);
-    const std::size_t samples = columns * static_cast<std::size_t>(end - begin);
     ExrCounts found;
-    for (std::size_t c = 0; c < channels.size(); ++c) {
-      const ExrChannel& channel = channels[c];
-      const float* const first = channel.first + (done + skipped) * channel.stride;
-      ExrCounts of_channel;
-      if (half && !channel.full_float) {
-        convert_to_half(first, channel.stride, samples, halves.data() + c * pixels + skipped, of_channel);
-      } else {
-        count_samples(first, channel.stride, samples, of_channel);
-      }
-      if (!is_alpha(channel.name)) {
-        add_counts(found, of_channel);
+    for (std::size_t row = static_cast<std::size_t>(begin); row < static_cast<std::size_t>(end); ++row) {
+      for (std::size_t c = 0; c < channels.size(); ++c) {
+        const ExrChannel& channel = channels[c];
+        const float* const first = channel.first + (done + width * row) * channel.stride;
+        std::uint16_t* const words = room.data() + row * blocks.row_words() + first_words[c];
+        ExrCounts of_channel;
+        if (half && !channel.full_float) {
+          convert_to_half(first, channel.stride, width, words, of_channel);
+        } else {
+          copy_floats(first, channel.stride, width, words, of_channel);
+        }
+        if (!is_alpha(channel.name)) {
+          add_counts(found, of_channel);
+        }
       }
     }
     const std::lock_guard lock(counting);
     add_counts(counts, found);
   });
-  file->setFrameBuffer(frame);
-  file->writePixels(rows);
-  y += rows;
+  blocks.add(rows);
 }
 
 namespace {
@@ -311,17 +256,16 @@ std::size_t place_of_value(std::span<const std::byte> head, const std::string& n
 
 }  // namespace
 
-ExrRows::ExrRows(ExrSink sink, int width, int height, std::span<const ExrChannel> channels, const ExrOptions& options)
-    : state_(std::make_unique<State>(std::move(sink), width, options.half)) {
+ExrRows::ExrRows(const ExrSink& sink, int width, int height, std::span<const ExrChannel> channels,
+                 const ExrOptions& options) {
   assert(width > 0 && height > 0 && !channels.empty());
-  start_exr_threads();
   encoding([&] {
     imf::Header header = make_header(width, height, options);
     for (const ExrChannel& channel : channels) {
       const bool half = options.half && !channel.full_float;
       header.channels().insert(channel.name, imf::Channel(half ? imf::HALF : imf::FLOAT));
     }
-    state_->file = std::make_unique<imf::OutputFile>(state_->stream, header);
+    state_ = std::make_unique<State>(sink, header, width, options.half);
   });
 }
 
@@ -331,8 +275,7 @@ void ExrRows::add(int rows, std::span<const ExrChannel> channels) {
   encoding([&] {
     const int most = rows_at_once(state_->width, channels.size());
     for (int done = 0; done < rows; done += most) {
-      const std::size_t pixels = static_cast<std::size_t>(state_->width) * static_cast<std::size_t>(done);
-      state_->add_block(std::min(most, rows - done), pixels, channels);
+      state_->add(std::min(most, rows - done), state_->width * static_cast<std::size_t>(done), channels);
     }
   });
 }
@@ -340,11 +283,11 @@ void ExrRows::add(int rows, std::span<const ExrChannel> channels) {
 ExrCounts ExrRows::finish(const std::map<std::string, float>& numbers,
                           const std::map<std::string, std::array<float, 3>>& vectors) {
   using namespace std::string_literals;
-  state_->file.reset();  // writes the places of the rows
+  state_->blocks.finish();
   const auto put = [&](const auto& values, const std::string& type) {
     for (const auto& [name, value] : values) {
       const auto bits = std::bit_cast<std::array<std::byte, sizeof value>>(value);  // little endian, as the file
-      state_->sink(place_of_value(state_->head, name, type), bits);
+      state_->sink(place_of_value(state_->blocks.head(), name, type), bits);
     }
   };
   put(numbers, "float\0\4\0\0\0"s);

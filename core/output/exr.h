@@ -83,7 +83,7 @@ using ExrSink = std::function<void(std::uint64_t position, std::span<const std::
 class ExrRows {
  public:
   // `channels`: names and formats; their samples are not read. `options`: as for encode_exr().
-  ExrRows(ExrSink sink, int width, int height, std::span<const ExrChannel> channels, const ExrOptions& options);
+  ExrRows(const ExrSink& sink, int width, int height, std::span<const ExrChannel> channels, const ExrOptions& options);
   ~ExrRows();
   ExrRows(const ExrRows&) = delete;
   ExrRows& operator=(const ExrRows&) = delete;
@@ -100,7 +100,7 @@ class ExrRows {
   std::unique_ptr<State> state_;
 };
 
-// Lets OpenEXR use all cores, at most 16, from now on.
+// Lets OpenEXR read by all cores, at most 16, from now on.
 void start_exr_threads();
 
 // The whole file in memory, for write_file().

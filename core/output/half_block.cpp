@@ -4,6 +4,7 @@
 #include <array>
 #include <atomic>
 #include <bit>
+#include <cstring>
 
 #include "core/output/parallel.h"
 
@@ -78,8 +79,9 @@ void convert_to_half(const float* samples, std::size_t stride, std::size_t count
   });
 }
 
-void count_samples(const float* samples, std::size_t stride, std::size_t count, ExrCounts& counts) {
-  for_blocks(samples, stride, count, [&](const float* block, std::size_t, std::size_t length) {
+void copy_floats(const float* samples, std::size_t stride, std::size_t count, std::uint16_t* words, ExrCounts& counts) {
+  for_blocks(samples, stride, count, [&](const float* block, std::size_t first, std::size_t length) {
+    std::memcpy(words + 2 * first, block, length * sizeof(float));
     const BlockCounts found = count_block(block, length);
     add_counts(counts, {length, 0, 0, found.negative, found.nan});
   });

@@ -13,8 +13,8 @@ namespace airlight {
 void convert_to_half(const float* samples, std::size_t stride, std::size_t count, std::uint16_t* halves,
                      ExrCounts& counts);
 
-// Counts that do not depend on the format: samples, negative, nan.
-void count_samples(const float* samples, std::size_t stride, std::size_t count, ExrCounts& counts);
+// Copies them, two words each, with the counts that do not depend on the format: samples, negative, nan.
+void copy_floats(const float* samples, std::size_t stride, std::size_t count, std::uint16_t* words, ExrCounts& counts);
 
 // The visible loss of a picture in halves; empty: none. It is a loss if a sample exceeds 65504, or if more than a
 // hundredth of the samples that matter, those no darker than 1/256 of `typical` (the picture's metered luminance), are

@@ -180,7 +180,7 @@ TEST(Package, HoldsEverythingAndNamesWhatItNeeds) {
                                              "ls airlight_*\"~$ID${VERSION_ID}_\"*.deb"});
   EXPECT_EQ(named.exit_code, 0) << named.err;
   for (const char* needed : {"libvulkan1", "mesa-vulkan-drivers | vulkan-icd", "tzdata", "libopenexr-",
-                             "libopencolorio2", "libpng16", "libcctz2", "libc6", "Recommends: airlight-formats (= "}) {
+                             "libopencolorio2", "libpng16", "libdeflate0", "libcctz2", "libc6", "Recommends: airlight-formats (= "}) {
     EXPECT_TRUE(contains(unpacked.out, needed)) << needed << " is not in " << unpacked.out;
   }
   // Four fifths of what all of airlight needs come with OpenImageIO, for pictures that are no EXRs.

@@ -10,7 +10,9 @@
 #include <unistd.h>
 
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 
 #include "core/output/atomic_file.h"
@@ -69,6 +71,15 @@ TEST(ExrRows, ManyPartsMakeTheBytesOfOne) {
   }
 }
 
+std::vector<float> read_depth(Imf::InputFile& file) {
+  std::vector<float> read(kWidth * kHeight);
+  Imf::FrameBuffer frame;
+  frame.insert("depth.Z", Imf::Slice::Make(Imf::FLOAT, read.data(), Imath::V2i(0, 0), kWidth, kHeight));
+  file.setFrameBuffer(frame);
+  file.readPixels(0, kHeight - 1);
+  return read;
+}
+
 // A half near 20000 is right to 8.
 TEST(ExrRows, AChannelMayBeFloatAmongHalves) {
   const Folder folder;
@@ -77,12 +88,24 @@ TEST(ExrRows, AChannelMayBeFloatAmongHalves) {
   Imf::InputFile file((folder / "a.exr").c_str());
   EXPECT_EQ(file.header().channels().findChannel("R")->type, Imf::HALF);
   EXPECT_EQ(file.header().channels().findChannel("depth.Z")->type, Imf::FLOAT);
-  std::vector<float> read(samples.size());
-  Imf::FrameBuffer frame;
-  frame.insert("depth.Z", Imf::Slice::Make(Imf::FLOAT, read.data(), Imath::V2i(0, 0), kWidth, kHeight));
-  file.setFrameBuffer(frame);
-  file.readPixels(0, kHeight - 1);
-  EXPECT_EQ(read, samples);
+  EXPECT_EQ(read_depth(file), samples);
+}
+
+// Blocks that compression would make longer stand in the file as they are: noise by a linear congruence (Knuth).
+TEST(ExrRows, NoiseComesBack) {
+  const Folder folder;
+  std::vector<float> noise(kWidth * kHeight);
+  std::uint64_t state = 1;
+  for (float& sample : noise) {
+    state = state * 6364136223846793005U + 1442695040888963407U;
+    sample = std::bit_cast<float>(static_cast<std::uint32_t>(state >> 32) & 0xbfffffffU);  // finite
+  }
+  const std::vector<ExrChannel> channels{{"depth.Z", noise.data(), 1, true}};
+  const ExrFile encoded = encode_exr(kWidth, kHeight, channels, {});
+  EXPECT_GT(encoded.bytes.size(), sizeof(float) * kWidth * kHeight);
+  write_file(folder / "a.exr", encoded.bytes);
+  Imf::InputFile file((folder / "a.exr").c_str());
+  EXPECT_EQ(read_depth(file), noise);
 }
 
 TEST(ExrRows, WhatTheSinkSaysIsSaid) {

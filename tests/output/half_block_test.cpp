@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <vector>
 
 #include "tests/output/files.h"
@@ -97,10 +98,12 @@ TEST(HalfBlock, SaysWhatHalvesWouldLoseInAnyRow) {
   }
 }
 
-TEST(HalfBlock, CountsWithoutConversion) {
+TEST(HalfBlock, FloatsAreCopiedAndCounted) {
   const std::vector<float> samples = {1e9F, 1e-9F, -1.0F, test::kNan};
+  std::vector<std::uint16_t> words(2 * samples.size());
   ExrCounts counts;
-  count_samples(samples.data(), 1, samples.size(), counts);
+  copy_floats(samples.data(), 1, samples.size(), words.data(), counts);
+  EXPECT_EQ(std::memcmp(words.data(), samples.data(), sizeof(float) * samples.size()), 0);
   EXPECT_EQ(counts.samples, 4U);
   EXPECT_EQ(counts.clamped, 0U);
   EXPECT_EQ(counts.underflowed, 0U);
