@@ -179,8 +179,9 @@ TEST(Package, HoldsEverythingAndNamesWhatItNeeds) {
                                              ". /etc/os-release && case $ID in debian) ID=deb ;; esac && "
                                              "ls airlight_*\"~$ID${VERSION_ID}_\"*.deb"});
   EXPECT_EQ(named.exit_code, 0) << named.err;
-  for (const char* needed : {"libvulkan1", "mesa-vulkan-drivers | vulkan-icd", "tzdata", "libopenexr-",
-                             "libopencolorio2", "libpng16", "libdeflate0", "libcctz2", "libc6", "Recommends: airlight-formats (= "}) {
+  for (const char* needed :
+       {"libvulkan1", "mesa-vulkan-drivers | vulkan-icd", "tzdata", "libopenexr-", "libopencolorio2", "libpng16",
+        "libdeflate0", "libcctz2", "libc6", "Recommends: airlight-formats (= "}) {
     EXPECT_TRUE(contains(unpacked.out, needed)) << needed << " is not in " << unpacked.out;
   }
   // Four fifths of what all of airlight needs come with OpenImageIO, for pictures that are no EXRs.
