@@ -53,4 +53,11 @@ inline void prefer_huge_heap() noexcept {
 #endif
 }
 
+// Gives free memory of the heaps back to the system, which malloc() would keep: after large blocks have been freed.
+inline void return_free_memory() noexcept {
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
+  (void)::malloc_trim(0);
+#endif
+}
+
 }  // namespace airlight

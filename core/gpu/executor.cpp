@@ -4,6 +4,7 @@
 
 #include "core/base/clock.h"
 #include "core/base/error.h"
+#include "core/base/huge_pages.h"
 #include "core/gpu/driver_code.h"
 #include "core/gpu/frame.h"
 #include "core/gpu/kept_files.h"
@@ -114,7 +115,13 @@ RunResult Executor::run(const Plan& plan, const std::function<void(double)>& rep
 }
 
 void Executor::free_pictures(bool but_results) {
+  const std::size_t before = impl_->cache.memory_use().bytes;
   impl_->cache.free_pictures(but_results);
+  // Of fewer bytes the host's pictures take most again, and new pages cost more than they save.
+  constexpr std::size_t kWorthwhile = std::size_t{24} << 20;
+  if (before - impl_->cache.memory_use().bytes > kWorthwhile) {
+    return_free_memory();
+  }
 }
 
 const DeviceInfo& Executor::device() const {

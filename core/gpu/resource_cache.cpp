@@ -44,7 +44,6 @@ Buffer::Buffer(const Device& device, std::size_t bytes, VkBufferUsageFlags usage
   void* address = nullptr;
   check(vkMapMemory(device.get(), memory_.get(), 0, VK_WHOLE_SIZE, 0, &address), "map " + std::string(what));
   mapped_ = {static_cast<std::byte*>(address), bytes};
-  prefer_huge_pages(address, bytes);  // the software device's memory is the process's own
 }
 
 void ResourceCache::end_run() {
@@ -92,7 +91,10 @@ Resource& ResourceCache::buffer(const BufferDesc& desc, MemoryPlace place) {
     Resource resource;
     resource.shape = shape_of(desc, place);
     resource.key = desc.key;
-    resource.buffer.emplace(device_, whole_words(desc.bytes), kUsage, place, "buffer " + desc.name);
+    const Buffer& buffer =
+        resource.buffer.emplace(device_, whole_words(desc.bytes), kUsage, place, "buffer " + desc.name);
+    // The software device's memory is the process's own.
+    prefer_huge_pages(buffer.mapped().data(), buffer.mapped().size());
     found = &add(std::move(resource));
   }
   found->carried = desc.carried;

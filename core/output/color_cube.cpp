@@ -1,11 +1,12 @@
 #include "core/output/color_cube.h"
 
+#include <sys/mman.h>
+
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <bit>
 #include <cmath>
-#include <cstdlib>
 #include <mutex>
 #include <new>
 #include <utility>
@@ -180,17 +181,25 @@ void for_blocks(std::span<const std::uint32_t> nodes, const Work& work) {
   });
 }
 
+constexpr std::size_t kBytes = 4 * sizeof(float) * kAllNodes;
+
+// calloc() would write zeros to what lies on a heap.
+float* untouched_values() {
+  void* const memory =
+      ::mmap(nullptr, kBytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (memory == MAP_FAILED) {
+    throw std::bad_alloc();
+  }
+  return static_cast<float*>(memory);
+}
+
 }  // namespace
 
 void ColorCube::Free::operator()(void* memory) const {
-  std::free(memory);
+  ::munmap(memory, kBytes);
 }
 
-ColorCube::ColorCube() : values_(static_cast<float*>(std::calloc(4 * kAllNodes, sizeof(float)))), marks_(kAllNodes) {
-  if (values_ == nullptr) {
-    throw std::bad_alloc();
-  }
-}
+ColorCube::ColorCube() : values_(untouched_values()), marks_(kAllNodes) {}
 
 void ColorCube::prepare(std::span<const float> rgba, const ColorTransform& transform) {
   const std::vector<std::uint32_t> cells = new_cells(rgba, marks_);

@@ -37,19 +37,12 @@ struct HostTable {
 // The shaders' structs have no initial values, as GLSL has none. Here they begin as zeros, which say that a thing is
 // absent: an ocean's slopes, for instance.
 
-// A texel of the terrain's shadow, as the device has it: altitudes up to which the sun is wholly hidden, and from which
-// on it is whole.
-struct TerrainShadow {
-  float dark;
-  float whole;
-};
-
 // Terrain as its buffers have it (core/things).
 struct HostTerrain {
   TerrainData shape{};
   std::shared_ptr<const std::vector<float>> heights;  // km, row by row from the top, then the maxima of each level
   std::vector<uint> colours;                          // square roots of albedo, 10 bits a channel
-  std::shared_ptr<const std::vector<TerrainShadow>> shadows;  // null: no sun has been asked for
+  std::shared_ptr<const std::vector<uint>> shadows;   // null: no sun has been asked for
 };
 
 // The ground's maps as their buffers have them (core/things).
@@ -164,10 +157,7 @@ struct Physics : HostBodies {
   const TerrainData& terrain_shape() const { return terrain_maps->shape; }
   uint terrain_level(uint level) const { return terrain_maps->shape.level_first[level]; }
   real terrain_height(uint k) const { return static_cast<real>((*terrain_maps->heights)[k]); }
-  vec2 terrain_shadow(uint k) const {
-    const TerrainShadow& shadow = (*terrain_maps->shadows)[k];
-    return vec2(shadow.dark, shadow.whole);
-  }
+  uint terrain_shadow(uint k) const { return (*terrain_maps->shadows)[k]; }
   vec3 terrain_colour(uint k) const {
     const uint bits = terrain_maps->colours[k];
     const vec3 root = vec3(bits & 1023U, (bits >> 10U) & 1023U, bits >> 20U) / 1023.0;

@@ -74,6 +74,7 @@ class Bands {
   InWork begun(const Tile& band);
   void process(InWork& band, bool measured, bool finished);
   Picture begin_plan(Plan& plan, InWork& band);
+  Picture begin_plan_without(Plan& plan, const InWork& band);
   Picture add_sky_of(Plan& plan, const Tile& tile, bool carried);
   void render_columns(InWork& band);
   void add_statistics(std::span<const std::byte> rows) { rows_.insert(rows_.end(), rows.begin(), rows.end()); }
@@ -233,12 +234,22 @@ Picture Bands::begin_plan(Plan& plan, InWork& band) {
   return picture_of(plan.add_buffer(std::move(buffer)), band.tile);
 }
 
+// Begins a plan for the sun's glare, which is found without the picture: the host has it.
+Picture Bands::begin_plan_without(Plan& plan, const InWork& band) {
+  plan.scene_data = device_scene_bytes(stage_.whole().air, scene_, band.tile);
+  if (request_.is_last) {
+    device_().free_pictures(false);
+  }
+  return picture_of(BufferId{}, band.tile);
+}
+
 // Makes the band's radiance where it is not there yet, its statistics where they are `measured`, and where it is
 // `finished` what follows the exposure. Sums over rows are taken over whole rows, whatever tiles make them up.
 void Bands::process(InWork& band, bool measured, bool finished) {
   Plan plan;
-  const Picture picture = begin_plan(plan, band);
   const bool is_new = band.rows.radiance.rgba.empty();
+  const bool is_read = is_new || measured || asked_.gpu_tone || !bloom_ || bloom_->glare.empty();
+  const Picture picture = is_read ? begin_plan(plan, band) : begin_plan_without(plan, band);
   const bool host_counts = measured && (is_made_ || host_measures(device_()));
   std::optional<BufferId> statistics;
   if (measured && !host_counts) {

@@ -17,7 +17,6 @@ namespace {
 
 using physics::HostTerrain;
 using physics::TerrainData;
-using physics::TerrainShadow;
 
 constexpr double kMostShadowTexels = 2e6;
 constexpr double kLongest = 300.0;   // km behind the map; a shadow does not change further on
@@ -83,13 +82,41 @@ std::vector<std::array<double, 2>> rises(const Sun& sun, double radius, const Te
   return all;
 }
 
+constexpr double kMostSteps = 1048575.0;
+constexpr double kMostRoot = 4095.0;
+
+// What a texel's bits stand for. A shadow that is above the ground with some of its penumbra, or not far below, has its
+// altitude; others are none. `highest`: of the terrain, km.
+void place_altitudes(TerrainData& t, const std::vector<std::array<double, 2>>& rise, double highest) {
+  constexpr double kBelow = 1.0;  // km below the ground
+  double climb = 0.0;             // of a shadow behind which the sun sinks
+  double soft = 0.0;              // height of the widest penumbra
+  for (const auto& [upper, lower] : rise) {
+    climb += std::max(-lower, 0.0);
+    soft += upper - lower;
+  }
+  t.shadow_low = -kBelow - soft;
+  t.shadow_step = (highest + climb - t.shadow_low) / kMostSteps;
+  t.shadow_soft = soft / (kMostRoot * kMostRoot);
+}
+
+// A texel of a shadow whose penumbra reaches from one altitude to the other.
+physics::uint texel_of(const TerrainData& t, double dark, double whole) {
+  const double steps = std::round((dark - t.shadow_low) / t.shadow_step);
+  if (steps < 1.0) {
+    return 0;
+  }
+  const double root = t.shadow_soft > 0.0 ? std::round(std::sqrt((whole - dark) / t.shadow_soft)) : 0.0;
+  return static_cast<physics::uint>(std::min(steps, kMostSteps)) << 12U |
+         static_cast<physics::uint>(std::min(root, kMostRoot));
+}
+
 // The table, swept row by row along the way from the sun.
-std::vector<TerrainShadow> swept(const Sun& sun, double radius, const std::shared_ptr<const HostTerrain>& bare,
-                                 const TerrainData& t) {
+std::vector<physics::uint> swept(const std::vector<std::array<double, 2>>& rise,
+                                 const std::shared_ptr<const HostTerrain>& bare, const TerrainData& t) {
   physics::Physics p;
   p.terrain_maps = bare;
-  const std::vector<std::array<double, 2>> rise = rises(sun, radius, t);
-  std::vector<TerrainShadow> shadows(static_cast<std::size_t>(t.shadow_columns) * t.shadow_rows);
+  std::vector<physics::uint> shadows(static_cast<std::size_t>(t.shadow_columns) * t.shadow_rows);
   const auto place = [&](double along, double aside) {
     const double east = along * t.sunward_east + aside * t.sunward_north;
     const double north = along * t.sunward_north - aside * t.sunward_east;
@@ -101,7 +128,7 @@ std::vector<TerrainShadow> swept(const Sun& sun, double radius, const std::share
     const std::array<double, 2> second = place(t.shadow_along + t.shadow_texel, aside);
     std::array<double, 2> shadow{kNoTerrain, kNoTerrain};  // of the disc's upper and lower limb
     double terrain = kNoTerrain;
-    TerrainShadow* const row_of_table = &shadows[static_cast<std::size_t>(j) * t.shadow_columns];
+    physics::uint* const row_of_table = &shadows[static_cast<std::size_t>(j) * t.shadow_columns];
     for (physics::uint k = t.shadow_columns; k-- > 0;) {
       for (std::size_t edge = 0; edge < 2; ++edge) {
         shadow[edge] = std::max(std::max(shadow[edge], terrain) - rise[k][edge], kNoTerrain);
@@ -110,7 +137,7 @@ std::vector<TerrainShadow> swept(const Sun& sun, double radius, const std::share
       const double row = first[1] + k * (second[1] - first[1]);
       const bool on_map = column >= 0.0 && row >= 0.0 && column <= t.columns - 1.0 && row <= t.rows - 1.0;
       terrain = on_map ? p.map_height(t, column, row) : kNoTerrain;
-      row_of_table[k] = {static_cast<float>(shadow[0]), static_cast<float>(shadow[1])};
+      row_of_table[k] = texel_of(t, shadow[0], shadow[1]);
     }
   }
   return shadows;
@@ -133,7 +160,9 @@ HostTerrain with_shadow(const std::shared_ptr<const HostTerrain>& heights, const
   HostTerrain out = *heights;
   place_table(out.shape, sun, planet_radius, static_cast<double>(out.heights->back()));
   out.shape.shadow_reach = shadow_reach(out.shape);
-  out.shadows = std::make_shared<const std::vector<TerrainShadow>>(swept(sun, planet_radius, heights, out.shape));
+  const std::vector<std::array<double, 2>> rise = rises(sun, planet_radius, out.shape);
+  place_altitudes(out.shape, rise, static_cast<double>(out.heights->back()));
+  out.shadows = std::make_shared<const std::vector<physics::uint>>(swept(rise, heights, out.shape));
   return out;
 }
 

@@ -34,6 +34,9 @@ device::TerrainData narrowed_shape(const physics::TerrainData& t) {
   out.shadow_columns = t.shadow_columns;
   out.shadow_rows = t.shadow_rows;
   out.shadow_reach = narrowed(t.shadow_reach);
+  out.shadow_low = narrowed(t.shadow_low);
+  out.shadow_step = narrowed(t.shadow_step);
+  out.shadow_soft = narrowed(t.shadow_soft);
   return out;
 }
 
@@ -64,9 +67,9 @@ std::vector<std::byte> bytes_with(const Head& head, const Values& values) {
 
 // A terrain whose maps are a texel each.
 std::shared_ptr<const physics::HostTerrain> no_terrain() {
-  return std::make_shared<const physics::HostTerrain>(physics::HostTerrain{
-      physics::TerrainData{}, std::make_shared<const std::vector<float>>(1, 0.0F), std::vector<physics::uint>(1),
-      std::make_shared<const std::vector<physics::TerrainShadow>>(1)});
+  return std::make_shared<const physics::HostTerrain>(
+      physics::HostTerrain{physics::TerrainData{}, std::make_shared<const std::vector<float>>(1, 0.0F),
+                           std::vector<physics::uint>(1), std::make_shared<const std::vector<physics::uint>>(1)});
 }
 
 std::shared_ptr<const physics::HostGround> no_ground_maps() {
@@ -79,15 +82,14 @@ std::vector<Binding> add_terrain(Plan& plan, std::shared_ptr<const physics::Host
   terrain = terrain == nullptr ? no_terrain() : std::move(terrain);
   const auto heights = [terrain] { return bytes_with(narrowed_shape(terrain->shape), *terrain->heights); };
   const auto shadows = [terrain] { return bytes_of(*terrain->shadows); };
-  return {
-      {"terrain",
-       plan.add_shared_buffer({.name = "terrain",
-                               .bytes = sizeof(device::TerrainData) + terrain->heights->size() * sizeof(float),
-                               .contents_when_run = heights})},
-      {"terrain_shadows", plan.add_shared_buffer({.name = "terrain_shadows",
-                                                  .bytes = terrain->shadows->size() * sizeof(physics::TerrainShadow),
-                                                  .contents_when_run = shadows})},
-      {"terrain_colours", plan.add_buffer_once(filled_buffer("terrain_colours", bytes_of(terrain->colours)))}};
+  return {{"terrain",
+           plan.add_shared_buffer({.name = "terrain",
+                                   .bytes = sizeof(device::TerrainData) + terrain->heights->size() * sizeof(float),
+                                   .contents_when_run = heights})},
+          {"terrain_shadows", plan.add_shared_buffer({.name = "terrain_shadows",
+                                                      .bytes = terrain->shadows->size() * sizeof(physics::uint),
+                                                      .contents_when_run = shadows})},
+          {"terrain_colours", plan.add_buffer_once(filled_buffer("terrain_colours", bytes_of(terrain->colours)))}};
 }
 
 template <class Data>

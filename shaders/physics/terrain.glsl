@@ -5,7 +5,7 @@
 //   TerrainData terrain_shape();
 //   real terrain_height(uint k);       km, row by row, then the maxima of each level
 //   uint terrain_level(uint level);    index of the level's first maximum
-//   vec2 terrain_shadow(uint k);       altitude up to which the sun is wholly hidden, and from which on it is whole
+//   uint terrain_shadow(uint k);       a texel of the table of shadows (TerrainData)
 //   vec3 terrain_colour(uint k);       albedo
 
 const real kNoShadow = 1e4;  // km below the ground: the altitude of a shadow that is nowhere
@@ -219,9 +219,16 @@ real shadow_aside(TerrainData t, real east, real north) {
   return (east * t.sunward_north - north * t.sunward_east - t.shadow_aside) / t.shadow_texel;
 }
 
-// The altitudes up to which terrain hides all of the sun's disc at a place of the table, and from which on it hides
-// nothing.
-vec2 shadow_altitudes(TerrainData t, real along, real aside) {
+// A texel of the table: the altitude up to which terrain hides all of the sun's disc, and the height of the penumbra
+// above, over which it hides ever less.
+vec2 shadow_of_texel(TerrainData t, uint bits) {
+  uint steps = bits >> 12u;
+  real root = real(bits & 4095u);
+  return vec2(steps > 0u ? t.shadow_low + real(steps) * t.shadow_step : -kNoShadow, root * root * t.shadow_soft);
+}
+
+// The same at any place of the table.
+vec2 shadow_at(TerrainData t, real along, real aside) {
   bool outside = along > real(t.shadow_columns - 1u) || aside < 0.0 || aside > real(t.shadow_rows - 1u);
   along = clamp(along, 0.0, real(t.shadow_columns - 1u));
   aside = clamp(aside, 0.0, real(t.shadow_rows - 1u));
@@ -230,13 +237,13 @@ vec2 shadow_altitudes(TerrainData t, real along, real aside) {
   real u = along - real(i);
   real v = aside - real(j);
   uint k = j * t.shadow_columns + i;
-  vec2 a = terrain_shadow(k);
-  vec2 b = terrain_shadow(k + 1u);
-  vec2 c = terrain_shadow(k + t.shadow_columns);
-  vec2 d = terrain_shadow(k + t.shadow_columns + 1u);
+  vec2 a = shadow_of_texel(t, terrain_shadow(k));
+  vec2 b = shadow_of_texel(t, terrain_shadow(k + 1u));
+  vec2 c = shadow_of_texel(t, terrain_shadow(k + t.shadow_columns));
+  vec2 d = shadow_of_texel(t, terrain_shadow(k + t.shadow_columns + 1u));
   real dark = (a.x * (1.0 - u) + b.x * u) * (1.0 - v) + (c.x * (1.0 - u) + d.x * u) * v;
-  real whole = (a.y * (1.0 - u) + b.y * u) * (1.0 - v) + (c.y * (1.0 - u) + d.y * u) * v;
-  return outside ? vec2(-kNoShadow, -kNoShadow) : vec2(dark, whole);
+  real soft = (a.y * (1.0 - u) + b.y * u) * (1.0 - v) + (c.y * (1.0 - u) + d.y * u) * v;
+  return outside ? vec2(-kNoShadow, 0.0) : vec2(dark, soft);
 }
 
 TerrainHit terrain_hit(PlanetData planet, GroundTrack track) { return terrain_hit_past(planet, track, 0.0); }
@@ -244,8 +251,8 @@ TerrainHit terrain_hit(PlanetData planet, GroundTrack track) { return terrain_hi
 // Share of the sun's disc that the terrain leaves at a place and altitude. Between the shadows of the disc's upper and
 // lower limb it rises as a limb-darkened disc does behind a moving straight edge.
 real terrain_sunlit(TerrainData t, real east, real north, real h) {
-  vec2 shadow = shadow_altitudes(t, shadow_along(t, east, north), shadow_aside(t, east, north));
-  real x = clamp((h - shadow.x) / max(shadow.y - shadow.x, 1e-6), 0.0, 1.0);
+  vec2 shadow = shadow_at(t, shadow_along(t, east, north), shadow_aside(t, east, north));
+  real x = clamp((h - shadow.x) / max(shadow.y, 1e-6), 0.0, 1.0);
   return x * x * (3.0 - 2.0 * x);
 }
 
@@ -304,8 +311,8 @@ ShadowWalk shadow_walk(PlanetData planet, GroundTrack track, Ray ray, real t) {
 // A point of the way over the edge of the terrain's shadow: its height over the altitude up to which all is dark, and
 // the height of the penumbra, km.
 vec2 over_shadow(ShadowWalk walk, real x) {
-  vec2 shadow = shadow_altitudes(terrain_shape(), on_parabola(walk.along, x), on_parabola(walk.aside, x));
-  return vec2(on_parabola(walk.altitude, x) - shadow.x, shadow.y - shadow.x);
+  vec2 shadow = shadow_at(terrain_shape(), on_parabola(walk.along, x), on_parabola(walk.aside, x));
+  return vec2(on_parabola(walk.altitude, x) - shadow.x, shadow.y);
 }
 
 // Integral of x*x*(3-2x) from 0 on, which is 0 below and 1 above 0 to 1.

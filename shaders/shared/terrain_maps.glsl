@@ -4,7 +4,7 @@ layout(scalar, set = 0, binding = 10) readonly buffer Terrain {
   TerrainData shape;
   float heights[];
 } terrain;
-layout(scalar, set = 0, binding = 11) readonly buffer TerrainShadow { vec2 values[]; } terrain_shadows;
+layout(scalar, set = 0, binding = 11) readonly buffer TerrainShadow { uint values[]; } terrain_shadows;
 layout(scalar, set = 0, binding = 12) readonly buffer TerrainColour { uint values[]; } terrain_colours;
 
 // Copied out of the buffer once, like the media.
@@ -13,7 +13,7 @@ TerrainData terrain_shape() { return loaded_terrain; }
 uint terrain_level(uint level) { return terrain.shape.level_first[level]; }
 float terrain_height(uint k) { return terrain.heights[k]; }
 
-vec2 terrain_shadow(uint k) { return terrain_shadows.values[k]; }
+uint terrain_shadow(uint k) { return terrain_shadows.values[k]; }
 
 // The square roots of three channels, 10 bits each.
 vec3 terrain_colour(uint k) {
