@@ -83,16 +83,20 @@ struct AirEntry {
   real root;       // from space: distance to the point of entry from the ray's lowest point
 };
 
+// Branches ask for the ray, too: Mesa's software device would compile a shader once more at each start to try what a
+// branch on the camera's altitude alone leaves, which took a twentieth of a picture of things.
 AirEntry air_entry(PlanetData planet, real h, real mu) {
   AirEntry entry;
-  entry.misses = false;
+  bool is_in_space = h > planet.atmosphere_height;
+  bool falls = mu < 0.0;
+  entry.misses = is_in_space;
   entry.distance_ = 0.0;
   entry.root = 0.0;
-  if (h > planet.atmosphere_height) {
+  if (is_in_space && falls) {
     real r = planet.ground_radius + h;
     real c = (h - planet.atmosphere_height) * (r + planet.ground_radius + planet.atmosphere_height);
     real discriminant = r * r * mu * mu - c;
-    entry.misses = mu >= 0.0 || discriminant <= 0.0;
+    entry.misses = discriminant <= 0.0;
     entry.root = sqrt(max(discriminant, 0.0));
     entry.distance_ = entry.misses ? 0.0 : c / (entry.root - r * mu);
   }
@@ -111,8 +115,10 @@ Ray ray_in_atmosphere(PlanetData planet, real h, real mu, real mu_sun, real nu) 
   ray.at_ground = meets_ground(planet, h, mu);
   ray.falls = ray.at_ground;
   ray.bent = 0.0;
-  bool misses = false;
-  if (h > planet.atmosphere_height) {
+  bool is_in_space = h > planet.atmosphere_height;
+  bool falls = mu < 0.0;
+  bool misses = is_in_space;
+  if (is_in_space && falls) {
     AirEntry entry = air_entry(planet, h, mu);
     misses = entry.misses;
     real r_top = planet.ground_radius + planet.atmosphere_height;

@@ -4,14 +4,12 @@
 
 // Sine of the angle of the top of the air above the true horizon; 0 inside the air.
 real air_edge(PlanetData planet, real h) {
-  real over = h - planet.atmosphere_height;
-  if (over <= 0.0) {
-    return 0.0;
-  }
+  real over = max(h - planet.atmosphere_height, 0.0);
   real r = planet.ground_radius + h;
   real top = planet.ground_radius + planet.atmosphere_height;
   real mu_top = -sqrt(over * (r + top)) / r;
-  return mu_top * (planet.ground_radius / r) - (top / r) * horizon_mu(planet, h);
+  real edge = mu_top * (planet.ground_radius / r) - (top / r) * horizon_mu(planet, h);
+  return over > 0.0 ? edge : 0.0;
 }
 
 // A square of side 1 with a level that is a plane, 0 in the middle, of slopes greater >= lesser >= 0 along its sides.

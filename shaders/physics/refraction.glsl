@@ -131,7 +131,7 @@ real optical_length(PlanetData planet, real h, real mu, real length_) {
     real first = true_altitude(ray.h).stretch;
     real t = inside / first;
     // Simpson's rule; each turn leaves a few hundredths of the error.
-    for (uint i = 0u; i < 2u; i++) {
+    UNROLL for (uint i = 0u; i < 2u; i++) {
       real middle = true_altitude(point_on_ray(planet, ray, 0.5 * t).h).stretch;
       real last = true_altitude(point_on_ray(planet, ray, t).h).stretch;
       t = inside * 6.0 / (first + 4.0 * middle + last);
@@ -145,7 +145,7 @@ real optical_length(PlanetData planet, real h, real mu, real length_) {
 real optical_altitude_at(real h) {
   real g = h;
   if (bends_light()) {
-    for (uint i = 0u; i < 3u; i++) {
+    UNROLL for (uint i = 0u; i < 3u; i++) {
       TrueAltitude a = true_altitude(g);
       g += (h - a.h) / a.stretch;
     }

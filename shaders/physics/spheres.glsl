@@ -76,11 +76,11 @@ real subsurface_thickness(real cosine) {
   const uint kPoints = 12u;
   real inside = sqrt(1.0 - max(1.0 - cosine * cosine, 0.0) / (kIndex * kIndex));
   real sum = 0.0;
-  for (uint i = 0u; i < kPoints; i++) {
+  UNROLL for (uint i = 0u; i < kPoints; i++) {
     real t = 0.1 + 0.2 * real(i);
-    sum = sum + sqrt(max(1.0 - 2.0 * t * inside + t * t, 0.0)) - 1.0;
+    sum = sum + sqrt(max(1.0 - 2.0 * t * inside + t * t, 0.0));
   }
-  return max(-sum, 0.0);
+  return max(real(kPoints) - sum, 0.0);  // less 1 each; in the loop compilers would move one after the other
 }
 
 // Share at this thickness; 1 without thickness, where s is infinite.
@@ -147,7 +147,7 @@ real thrown_by_mirror(SphereData s, vec3 to, vec3 normal, vec3 sun) {
   real sine = length(level);
   real phi = atan(sine, along);
   real t = phi * d / (2.0 * d - r);
-  for (uint i = 0u; i < 3u; i++) {
+  UNROLL for (uint i = 0u; i < 3u; i++) {
     real sine_t = sin(t);
     real cosine_t = cos(t);
     real sine_2t = 2.0 * sine_t * cosine_t;
