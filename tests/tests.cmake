@@ -381,6 +381,11 @@ if(CLANG_FORMAT AND NOT AIRLIGHT_SANITIZE)
   file(GLOB_RECURSE formatted CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/app/*.h ${PROJECT_SOURCE_DIR}/app/*.cpp
        ${PROJECT_SOURCE_DIR}/core/*.h ${PROJECT_SOURCE_DIR}/core/*.cpp ${PROJECT_SOURCE_DIR}/tests/*.h
        ${PROJECT_SOURCE_DIR}/tests/*.cpp)
-  add_test(NAME format COMMAND ${CLANG_FORMAT} --dry-run -Werror ${formatted})
-  set_tests_properties(format PROPERTIES LABELS quick)
+  execute_process(COMMAND ${CLANG_FORMAT} --version OUTPUT_VARIABLE clang_format_version)
+  if(clang_format_version MATCHES "version 14[.]")
+    add_test(NAME format COMMAND ${CLANG_FORMAT} --dry-run -Werror ${formatted})
+  else()  # others break some lines elsewhere
+    add_test(NAME format COMMAND sh -c "echo 'needs clang-format 14'; exit 77")
+  endif()
+  set_tests_properties(format PROPERTIES LABELS quick SKIP_RETURN_CODE 77)
 endif()

@@ -82,20 +82,19 @@ std::vector<std::array<double, 2>> rises(const Sun& sun, double radius, const Te
   return all;
 }
 
-constexpr double kMostSteps = 1048575.0;
-constexpr double kMostRoot = 4095.0;
+constexpr double kMostSteps = 2097151.0;
+constexpr double kMostRoot = 2047.0;
+constexpr double kDeep = 100.0;  // km: so far below the ground that a shadow beside none ends at once
 
-// What a texel's bits stand for. A shadow that is above the ground with some of its penumbra, or not far below, has its
-// altitude; others are none. `highest`: of the terrain, km.
+// What a texel's bits stand for. `highest`: of the terrain, km.
 void place_altitudes(TerrainData& t, const std::vector<std::array<double, 2>>& rise, double highest) {
-  constexpr double kBelow = 1.0;  // km below the ground
-  double climb = 0.0;             // of a shadow behind which the sun sinks
-  double soft = 0.0;              // height of the widest penumbra
+  double climb = 0.0;  // of a shadow behind which the sun sinks
+  double soft = 0.0;   // height of the widest penumbra
   for (const auto& [upper, lower] : rise) {
     climb += std::max(-lower, 0.0);
     soft += upper - lower;
   }
-  t.shadow_low = -kBelow - soft;
+  t.shadow_low = -kDeep;
   t.shadow_step = (highest + climb - t.shadow_low) / kMostSteps;
   t.shadow_soft = soft / (kMostRoot * kMostRoot);
 }
@@ -104,10 +103,10 @@ void place_altitudes(TerrainData& t, const std::vector<std::array<double, 2>>& r
 physics::uint texel_of(const TerrainData& t, double dark, double whole) {
   const double steps = std::round((dark - t.shadow_low) / t.shadow_step);
   if (steps < 1.0) {
-    return 0;
+    return 0;  // nowhere
   }
   const double root = t.shadow_soft > 0.0 ? std::round(std::sqrt((whole - dark) / t.shadow_soft)) : 0.0;
-  return static_cast<physics::uint>(std::min(steps, kMostSteps)) << 12U |
+  return static_cast<physics::uint>(std::min(steps, kMostSteps)) << 11U |
          static_cast<physics::uint>(std::min(root, kMostRoot));
 }
 

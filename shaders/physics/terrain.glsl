@@ -219,15 +219,14 @@ real shadow_aside(TerrainData t, real east, real north) {
   return (east * t.sunward_north - north * t.sunward_east - t.shadow_aside) / t.shadow_texel;
 }
 
-// A texel of the table: the altitude up to which terrain hides all of the sun's disc, and the height of the penumbra
-// above, over which it hides ever less.
-vec2 shadow_of_texel(TerrainData t, uint bits) {
-  uint steps = bits >> 12u;
-  real root = real(bits & 4095u);
-  return vec2(steps > 0u ? t.shadow_low + real(steps) * t.shadow_step : -kNoShadow, root * root * t.shadow_soft);
+// A texel of the table, in its steps of altitude and of the penumbra's height.
+vec2 shadow_steps(uint bits) {
+  real root = real(bits & 2047u);
+  return vec2(real(bits >> 11u), root * root);
 }
 
-// The same at any place of the table.
+// The altitude up to which terrain hides all of the sun's disc at a place of the table, and the height of the penumbra
+// above, over which it hides ever less.
 vec2 shadow_at(TerrainData t, real along, real aside) {
   bool outside = along > real(t.shadow_columns - 1u) || aside < 0.0 || aside > real(t.shadow_rows - 1u);
   along = clamp(along, 0.0, real(t.shadow_columns - 1u));
@@ -237,13 +236,13 @@ vec2 shadow_at(TerrainData t, real along, real aside) {
   real u = along - real(i);
   real v = aside - real(j);
   uint k = j * t.shadow_columns + i;
-  vec2 a = shadow_of_texel(t, terrain_shadow(k));
-  vec2 b = shadow_of_texel(t, terrain_shadow(k + 1u));
-  vec2 c = shadow_of_texel(t, terrain_shadow(k + t.shadow_columns));
-  vec2 d = shadow_of_texel(t, terrain_shadow(k + t.shadow_columns + 1u));
+  vec2 a = shadow_steps(terrain_shadow(k));
+  vec2 b = shadow_steps(terrain_shadow(k + 1u));
+  vec2 c = shadow_steps(terrain_shadow(k + t.shadow_columns));
+  vec2 d = shadow_steps(terrain_shadow(k + t.shadow_columns + 1u));
   real dark = (a.x * (1.0 - u) + b.x * u) * (1.0 - v) + (c.x * (1.0 - u) + d.x * u) * v;
   real soft = (a.y * (1.0 - u) + b.y * u) * (1.0 - v) + (c.y * (1.0 - u) + d.y * u) * v;
-  return outside ? vec2(-kNoShadow, 0.0) : vec2(dark, soft);
+  return outside ? vec2(-kNoShadow, 0.0) : vec2(t.shadow_low + dark * t.shadow_step, soft * t.shadow_soft);
 }
 
 TerrainHit terrain_hit(PlanetData planet, GroundTrack track) { return terrain_hit_past(planet, track, 0.0); }

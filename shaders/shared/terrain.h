@@ -26,9 +26,9 @@ struct TerrainData {
   uint shadow_columns;
   uint shadow_rows;
   real shadow_reach;  // greatest distance of a shadow from the camera, km along the ground
-  // A texel of it has the altitude up to which the sun is wholly hidden in its upper 20 bits, and the root of the height
-  // of the penumbra above in the lower 12.
-  real shadow_low;   // km: the altitude of 0, which means that there is no shadow
+  // A texel of it has the altitude up to which the sun is wholly hidden in its upper 21 bits, and the root of the
+  // penumbra's height above in the lower 11.
+  real shadow_low;   // km: the altitude of 0, deep in the planet, where there is no shadow
   real shadow_step;  // km: of each further one
   real shadow_soft;  // km: the height of a penumbra whose root is 1
 };
