@@ -40,13 +40,19 @@ void refuse_departures(const Scene& scene) {
   }
 }
 
-// The judge's time was up: what it could tell of the best, and how it may tell more.
+// Time was up: what is known of the best so far, and how more may be known.
 std::string what_ran_out(const ChoiceReport& report, const std::string& best) {
   const double error = report.choice.best->error;
   const bool told = error < measure::kWorstError;
-  std::string text = "in " + rounded(report.patience_s, 2) + " CPU-s path-trace ";
-  text += told ? "told no more than that " + best + " is at most " + percent(error, 3) + " off here; allow that, "
-               : "could not tell how accurate " + best + " is here; ";
+  std::string text = "in " + rounded(report.patience_s, 2) + " CPU-s ";
+  if (report.choice.traced == 0) {
+    text += "nothing was found that is sure to be that accurate; " + best + " is at most " + percent(error, 3) +
+            " off here; allow that, ";
+  } else {
+    text += told ? "path-trace told no more than that " + best + " is at most " + percent(error, 3) +
+                       " off here; allow that, "
+                 : "path-trace could not tell how accurate " + best + " is here; ";
+  }
   if (told && report.wish.keeps_traces) {
     text += "give the same command again, which goes on from there, ";
   }
@@ -76,8 +82,9 @@ std::string what_ran_out(const ChoiceReport& report, const std::string& best) {
                    "; allow that, or use --method path-trace with --target-error");
 }
 
-// Of the plain picture's CPU time, for paths and what is tried after them. With what is rendered to measure that, and
-// the plain picture in the end, a command takes about 20 times as long at most, unless more is allowed.
+// Of the plain picture's CPU time, for paths and what is tried after them, and for a search as a whole. With what is
+// rendered to measure that, and the plain picture in the end, a command takes about 20 times as long at most, unless
+// more is allowed.
 constexpr double kPatience = 16.0;
 constexpr double kLeastPatience = 2.0;  // CPU-seconds: starting the program is most of a small picture's time
 
@@ -165,10 +172,17 @@ ChoiceReport choose_rendering(const Stage& stage, const ChoiceWish& wish, const 
     return probe_picture(device, candidate, probes.directions);
   };
   looks.patience = [&] {
-    report.patience_s = wish.judge_s > 0.0
-                            ? wish.judge_s
-                            : std::max(1e-3 * kPatience * (cpu + plain_cpu_ms(device, stage)), kLeastPatience);
+    if (report.patience_s == 0.0) {
+      report.patience_s = wish.judge_s > 0.0
+                              ? wish.judge_s
+                              : std::max(1e-3 * kPatience * (cpu + plain_cpu_ms(device, stage)), kLeastPatience);
+    }
     return report.patience_s;
+  };
+  looks.is_up = [&] {
+    const auto spent_s = [&] { return 1e-3 * (process_cpu_ms() - cpu); };
+    const bool may_be = spent_s() > (wish.judge_s > 0.0 ? wish.judge_s : kLeastPatience);
+    return may_be && spent_s() > looks.patience();
   };
   looks.trace = [&](const Stage& whole, const choice::Probes& probes, const choice::TraceOrder& order) {
     if (status) {

@@ -13,7 +13,7 @@ namespace airlight::cli {
 struct ChoiceWish {
   double tolerance = 0.0;  // mean relative error; 0: none given
   double limit_ms = 0.0;   // 0: none given
-  double judge_s = 0.0;    // CPU-seconds that path-trace may judge; 0: by the plain picture's own
+  double judge_s = 0.0;    // CPU-seconds that the search may take; 0: by the plain picture's own
   bool keeps_traces = true;
   std::string method;  // the only one allowed; empty: any
 };
@@ -23,7 +23,7 @@ struct ChoiceReport {
   choice::Choice choice;
   double probing_ms = 0.0;      // by the clock, with the time for compiling shaders and making near-truth tables
   double probing_cpu_ms = 0.0;  // of all threads
-  double patience_s = 0.0;      // CPU-seconds that path-trace had; 0: it was not asked
+  double patience_s = 0.0;      // CPU-seconds that path-trace had, or a search without it; 0: nobody asked
 };
 
 // "50ms", "2s", "1min", "1h" in ms. Throws InputError: "PLACE: ...".

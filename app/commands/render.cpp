@@ -77,8 +77,8 @@ std::vector<Option> render_options(RenderOrder& given) {
                                          "qualities",
                                          given.tolerance),
                             {"--judge-time", "TIME",
-                             "How much CPU time of all threads path-trace may take to judge what --tolerance asks for, "
-                             "e.g. 60s; without it 16 times what the plain picture takes, and 2 s at least",
+                             "How much CPU time of all threads --tolerance may take to choose, e.g. 60s; without it 16 "
+                             "times what the plain picture takes, and 2 s at least",
                              &given.judge_time}}));
   append(options, sampling_options(given.sampling));
   append(options, picture_options(given.picture));
@@ -126,9 +126,9 @@ Command render_command() {
       "once. Otherwise path-trace measures the error at 128 of the picture's pixels, which takes about a second for "
       "3 % and ten for 1 %, or airlight computes 256 directions with each candidate. The log, --json and the EXR "
       "tell the choice, the bound that its error keeps and what it leaves out. -v and --dry-run tell what was "
-      "tried. If nothing reaches a tolerance, airlight refuses it and names the best that you can have. Before "
-      "path-trace makes the command some 20 times as dear as the plain picture, airlight stops and tells the bound "
-      "so far; 2 CPU-seconds are always allowed. The same command then goes on from there, but with --no-cache, and "
+      "tried. If nothing reaches a tolerance, airlight refuses it and names the best that you can have. Before the "
+      "search makes the command some 20 times as dear as the plain picture, airlight stops and tells the bound so "
+      "far; 2 CPU-seconds are always allowed. The same command then goes on from there, but with --no-cache, and "
       "--judge-time allows more at once.";
   command.examples = {
       {"airlight render earth-sunset", "Write out/earth-sunset.exr and out/earth-sunset.png"},

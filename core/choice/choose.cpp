@@ -300,6 +300,10 @@ Choice choose_for_tolerance(const Stage& stage, double tolerance, const std::str
     return tried.error <= tolerance;
   };
   for (const Candidate& candidate : candidates(ground.lighter.stage, tolerance, only, ground.made)) {
+    if (!choice.tried.empty() && looks.is_up()) {
+      choice.ran_out = true;
+      break;
+    }
     if (judge.is_over() && ground.known_error > tolerance) {
       const bool any = only.empty() || only == "orders";
       // More paths might find the reference better, but not what is too far from it.

@@ -22,6 +22,8 @@ struct Looks {
   ProbeFunction probe;
   TraceFunction trace;
   PatienceFunction patience = [] { return kLongPatience; };
+  // Whether the whole search has had its time; asked before each quality that is tried after the first.
+  std::function<bool()> is_up = [] { return false; };
 };
 
 struct Tried {
@@ -41,7 +43,7 @@ struct Choice {
   std::optional<Tried> best;     // of those: the smallest error
   std::size_t probes = 0;
   std::size_t traced = 0;  // probes that path-trace judged
-  bool ran_out = false;    // the judge's time was up before anything was sure to do; the same choice again goes on
+  bool ran_out = false;    // time was up before anything was sure to do; the same choice again goes on
   std::vector<std::string> left_out;
   double dark = 0.0;  // dark_radiance() of the picture
 };

@@ -127,6 +127,28 @@ TEST(Tolerance, ATimeThatIsUpEndsTheSearch) {
   }
 }
 
+// The whole search has an end too, where no paths are wanted: the best so far is told.
+TEST(Tolerance, ASearchWithoutPathsEnds) {
+  const Scene scene = haze(kBlue, kForward);
+  const double tolerance = 2.0 * *default_error(scene);
+  int probes = 0;
+  Looks looks = wrong_by([](const Scene& tried) { return tried.render.method == "orders" ? 0.0 : 0.5; }, &probes);
+  looks.trace = [](const Stage&, const Probes&, const TraceOrder&) -> Traced {
+    throw std::logic_error("what is known needs no paths");
+  };
+  const Choice whole = choose_for_tolerance(scene, tolerance, "march", looks);
+  EXPECT_FALSE(whole.chosen);
+  EXPECT_FALSE(whole.ran_out);
+  ASSERT_GT(whole.tried.size(), 2U);
+  std::size_t allowed = 2;
+  looks.is_up = [&] { return --allowed == 0; };
+  const Choice ended = choose_for_tolerance(scene, tolerance, "march", looks);
+  EXPECT_FALSE(ended.chosen);
+  EXPECT_TRUE(ended.ran_out);
+  EXPECT_EQ(ended.tried.size(), 2U);
+  EXPECT_TRUE(ended.best.has_value());
+}
+
 // Tables among terrain cost what the picture does: the defaults alone are looked at, taken or refused.
 TEST(Tolerance, AmongTerrainTheDefaultsAreTakenOrRefused) {
   Scene scene = preset("noon");

@@ -165,6 +165,16 @@ TEST_F(Tolerance, ThatTakesTooLongToJudgeSaysHowToGoOn) {
   EXPECT_EQ(scratch_.files(), (Names{"sky.json"}));
 }
 
+TEST_F(Tolerance, ASearchThatTakesTooLongSaysHowToGoOn) {
+  const Outcome outcome =
+      tool({"render", "sky.json", "--tolerance", "1%", "--method", "march", "-o", "a.exr", "--judge-time", "0.001ms"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(lines_of(outcome.err).size(), 1U) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "nothing was found that is sure to be that accurate; march, ")) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "allow more time, as by --judge-time 1s")) << outcome.err;
+  EXPECT_EQ(scratch_.files(), (Names{"sky.json"}));
+}
+
 TEST_F(Tolerance, TimeLimitChoosesOrStopsSampling) {
   const Outcome chosen =
       tool({"render", "sky.json", "--time-limit", "1min", "--method", "analytic", "-o", "a.exr", "--json"});
