@@ -20,7 +20,8 @@ CODE uint kSmoothProfiles = (1u << kDensityExponential) | (1u << kDensityLorentz
 uint layer_below(MediumData m, real h, uint low, uint step) {
   uint next = low + step;
   bool is_there = step < most_layers() && next < m.layer_count;
-  return is_there && density_layer(m.first_layer + (is_there ? next : low)).x <= h ? next : low;
+  bool is_below = density_layer(m.first_layer + (is_there ? next : low)).x <= h;  // no branch: as of air_entry()
+  return is_there && is_below ? next : low;
 }
 
 // Piecewise linear between [altitude, density] pairs, constant outside. The search by halves is written out: a loop
