@@ -125,6 +125,8 @@ TEST_F(InstalledLibrary, InsideAProjectItDisturbsNothing) {
 
 // Programs on the pages are those that are built above, or run as they stand.
 TEST_F(InstalledLibrary, ProgramsOfThePagesRun) {
+  const Outcome tables = airlight(scratch_->path(), {"luts", "earth-noon", "-o", "tables"});  // which a page reads
+  ASSERT_EQ(tables.exit_code, 0) << tables.err;
   std::size_t python = 0;
   std::size_t cpp = 0;
   for (const Document& page : pages_below(AIRLIGHT_SOURCE_DIR)) {
