@@ -237,7 +237,7 @@ Picture Bands::begin_plan(Plan& plan, InWork& band) {
 // Begins a plan for the sun's glare, which is found without the picture: the host has it.
 Picture Bands::begin_plan_without(Plan& plan, const InWork& band) {
   plan.scene_data = device_scene_bytes(stage_.whole().air, scene_, band.tile);
-  if (request_.is_last) {
+  if (request_.is_last && ran_) {
     device_().free_pictures(false);
   }
   return picture_of(BufferId{}, band.tile);
