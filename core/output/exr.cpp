@@ -34,7 +34,7 @@ namespace {
 
 namespace imf = OPENEXR_IMF_NAMESPACE;
 
-// Threads that encode.
+// Threads that OpenEXR reads by; twice as many blocks are written at a time.
 int exr_threads() {
   return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 16U));
 }

@@ -96,7 +96,7 @@ std::vector<std::uint8_t> block_of(std::span<const std::uint16_t> words, std::si
 
 }  // namespace
 
-ExrBlocks::ExrBlocks(Sink sink, const imf::Header& header)
+ExrBlocks::ExrBlocks(ExrSink sink, const imf::Header& header)
     : sink_(std::move(sink)),
       header_(header),
       head_(head_of(header)),
@@ -113,10 +113,11 @@ ExrBlocks::ExrBlocks(Sink sink, const imf::Header& header)
 
 std::size_t ExrBlocks::first_word(const std::string& name) const {
   std::size_t word = 0;
-  for (auto channel = header_.channels().begin(); channel.name() != name; ++channel) {
-    assert(channel != header_.channels().end());
+  auto channel = header_.channels().begin();
+  for (; channel != header_.channels().end() && channel.name() != name; ++channel) {
     word += width_ * words_of(channel.channel());
   }
+  assert(channel != header_.channels().end());
   return word;
 }
 

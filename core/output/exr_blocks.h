@@ -7,21 +7,19 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <string>
 #include <vector>
+
+#include "core/output/exr.h"
 
 namespace airlight {
 
 class ExrBlocks {
  public:
-  // Takes bytes at a position, usually the end, once the beginning.
-  using Sink = std::function<void(std::uint64_t position, std::span<const std::byte> bytes)>;
-
   // Writes the head and a table of zeros. `header`: compressed as ZIP or not at all, its channels HALF or FLOAT at
   // every pixel. Throws what OpenEXR throws of a header that it cannot write.
-  ExrBlocks(Sink sink, const OPENEXR_IMF_NAMESPACE::Header& header);
+  ExrBlocks(ExrSink sink, const OPENEXR_IMF_NAMESPACE::Header& header);
 
   std::span<const std::byte> head() const { return head_; }
   // The file's words of 16 bits in a row: channels in order of their names, a half one word a pixel, a float two.
@@ -39,7 +37,7 @@ class ExrBlocks {
  private:
   void write_blocks(std::size_t blocks);
 
-  Sink sink_;
+  ExrSink sink_;
   OPENEXR_IMF_NAMESPACE::Header header_;
   std::vector<std::byte> head_;
   std::uint64_t end_ = 0;  // of the file so far
