@@ -83,8 +83,8 @@ struct AirEntry {
   real root;       // from space: distance to the point of entry from the ray's lowest point
 };
 
-// Branches ask for the ray, too: Mesa's software device would compile a shader once more at each start to try what a
-// branch on the camera's altitude alone leaves, which took a twentieth of a picture of things.
+// Branches ask for the ray, too: Mesa's software device would simplify a shader once more at each start, to try what a
+// branch on the camera's altitude alone leaves, which took 4 % of a picture of things.
 AirEntry air_entry(PlanetData planet, real h, real mu) {
   AirEntry entry;
   bool is_in_space = h > planet.atmosphere_height;
