@@ -3,6 +3,7 @@
 // table of factors.
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -100,7 +101,7 @@ bool tabulates(const Part& part, const View& view);
 ImageId add_tabulated_sky(Plan& plan, const Part& part, const View& view, const SkyTarget& target, const Light& light);
 
 // SkyMethod::add_coloured_passes. The phase functions stand outside of the factors, so factors of all wavelengths are
-// summed into colours, and the pixels know of none.
+// summed into colours, and the pixels know of none. Among things pixels see one part's wavelengths, and write colours.
 std::optional<SkyPasses> add_coloured(Plan& plan, const Stage& stage, const View& view,
                                       const std::optional<Canvas>& canvas);
 
@@ -175,8 +176,13 @@ struct ThingsUnderCloud {
   BufferId seen = {};  // what pixels show of things (shaders/shared/things_seen.glsl)
 };
 
-// The pass over things, the ground and the air about them.
-void add_things_sky(Plan& plan, const Part& part, const View& view, const SkyTarget& target, const Light& light);
+// Whether the passes over things go block by block, and then write in any colours.
+bool lists_blocks(const Part& part, const View& view);
+
+// The passes over things, the ground and the air about them. `colours`: of the part's channels in the target; other
+// than kAsTheyAre only where lists_blocks().
+void add_things_sky(Plan& plan, const Part& part, const View& view, const SkyTarget& target, const Light& light,
+                    const std::array<Rgb, 3>& colours = kAsTheyAre);
 
 // The same with surfaces under clouds, of which `cloud` is the highest.
 ThingsUnderCloud add_things_under_clouds(Plan& plan, const Part& part, const View& view, const SkyTarget& target,

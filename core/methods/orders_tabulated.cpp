@@ -79,9 +79,32 @@ ImageId add_tabulated_sky(Plan& plan, const Part& part, const View& view, const 
   return factors;
 }
 
+namespace {
+
+// Things of one part, in a picture of their own where they would have to add to the canvas.
+std::optional<SkyPasses> add_coloured_things(Plan& plan, const Stage& stage, const View& view,
+                                             const std::optional<Canvas>& canvas) {
+  const Part& part = stage.parts().front();
+  if (stage.parts().size() > 1 || !part.scene.clouds.empty() || !lists_blocks(part, view)) {
+    return std::nullopt;
+  }
+  const bool is_blank = canvas && canvas->is_blank;
+  const SkyTarget target = add_sky_target(plan, part.scene, view, is_blank ? canvas : std::nullopt);
+  begin_part(plan, part, tile_of(part.scene, view));
+  const Light light = add_light(plan, part);
+  add_things_sky(plan, part, view, target, light, part.colours);
+  plan.end_scene();
+  return SkyPasses{target.radiance, {light.transmittance}, light.more()};
+}
+
+}  // namespace
+
 std::optional<SkyPasses> add_coloured(Plan& plan, const Stage& stage, const View& view,
                                       const std::optional<Canvas>& canvas) {
   const Part& whole = stage.whole();
+  if (whole.things.stand_in_the_air()) {
+    return add_coloured_things(plan, stage, view, canvas);
+  }
   if (!tabulates(whole, view) || whole.scene.ground || !whole.scene.clouds.empty()) {
     return std::nullopt;
   }

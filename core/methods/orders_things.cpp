@@ -1,6 +1,7 @@
 // Pictures of things by `orders`: surfaces first, then the air up to them by tables, or by a march along each ray.
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -8,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/luts/luts.h"
 #include "core/methods/orders_parts.h"
+#include "core/methods/spectral_sums.h"
 #include "core/plan/bytes.h"
 #include "core/things/thing_buffers.h"
 
@@ -122,6 +124,14 @@ Extent grid_of_blocks(const Scene& scene, const View& view) {
   return {whole(tile.x, tile.width), whole(tile.y, tile.height), 1};
 }
 
+std::vector<Specialization> block_constants(const Part& part, const ThingInputs& things) {
+  std::vector<Specialization> constants = medium_specialization(part.air);
+  constants.insert(constants.end(), things.constants.begin(), things.constants.end());
+  constants.push_back({"kProjection", projection_code(part.scene.camera.projection)});
+  constants.push_back({"kTiles", physics::kTilesAll});
+  return constants;
+}
+
 // What the pixels' corners see; nothing where rays are listed.
 BufferId add_corners(Plan& plan, const Part& part, const View& view, const ThingInputs& things) {
   if (!view.directions.empty()) {
@@ -131,16 +141,12 @@ BufferId add_corners(Plan& plan, const Part& part, const View& view, const Thing
   const Extent grid{pixels.width + 1, pixels.height + 1, 1};
   const BufferId corners = plan.add_buffer(
       {.name = "thing_corners", .bytes = std::size_t{2} * sizeof(float) * grid.width * grid.height, .zeroed = false});
-  std::vector<Specialization> constants = medium_specialization(part.air);
-  constants.insert(constants.end(), things.constants.begin(), things.constants.end());
-  constants.push_back({"kProjection", projection_code(part.scene.camera.projection)});
-  constants.push_back({"kTiles", physics::kTilesAll});
   plan.add_pass({.shader = "thing_corners",
                  .reads = things.reads,
                  .writes = {{"corners_out", corners}},
                  .grid = {(grid.width + 1) / 2, (grid.height + 1) / 2, 1},
                  .push_constants = {grid.width, grid.height},
-                 .specialization = std::move(constants),
+                 .specialization = block_constants(part, things),
                  .cost = 50.0});
   return corners;
 }
@@ -172,14 +178,6 @@ struct Blocks {
   BufferId nodes;
   BufferId tiles;
 };
-
-std::vector<Specialization> block_constants(const Part& part, const ThingInputs& things) {
-  std::vector<Specialization> constants = medium_specialization(part.air);
-  constants.insert(constants.end(), things.constants.begin(), things.constants.end());
-  constants.push_back({"kProjection", projection_code(part.scene.camera.projection)});
-  constants.push_back({"kTiles", physics::kTilesAll});
-  return constants;
-}
 
 // Over terrain.
 Blocks add_known_air(Plan& plan, const Part& part, const View& view, const ThingPass& pass, const Light& light) {
@@ -317,8 +315,14 @@ class RaysByBlocks {
  public:
   // `pass`: over all pixels. `none`: a buffer of at least 8 words, bound where a pass reads none.
   RaysByBlocks(Plan& plan, PassDesc pass, const ThingPass& found, const Blocks& blocks, std::uint32_t count,
-               bool terrain, BufferId none)
-      : plan_(plan), pass_(std::move(pass)), found_(found), blocks_(blocks), terrain_(terrain), none_(none) {
+               bool terrain, BufferId none, const std::array<Rgb, 3>& colours)
+      : plan_(plan),
+        pass_(std::move(pass)),
+        found_(found),
+        blocks_(blocks),
+        terrain_(terrain),
+        none_(none),
+        colours_(colours) {
     constexpr std::size_t kQuads = std::size_t{16} * 4 * sizeof(float);  // QuadSeen, of a block
     constexpr std::size_t kUnits = std::size_t{4} * physics::kThingBlock * physics::kThingBlock;  // of a block at most
     quads_ = plan.add_buffer({.name = "thing_quads", .bytes = kQuads * count, .zeroed = false});
@@ -364,6 +368,7 @@ class RaysByBlocks {
     one.reads.push_back(own_part({"units", listed ? units_ : none_}, tiles));
     one.writes = {own_part(pass_.writes.front(), tiles), own_part({"quads_out", quads_}, tiles)};
     one.push_constants.push_back(listed ? 1 : 0);
+    push_colours(one.push_constants, colours_);
     specialize(one.specialization, tiles);
     one.cost *= cost;
     plan_.add_pass(std::move(one));
@@ -375,13 +380,15 @@ class RaysByBlocks {
     reads.push_back(own_part({"quads", quads_}, tiles));
     reads.push_back(*std::ranges::find(pass_.reads, "directions", &Binding::name));
     specialize(constants, tiles);
+    std::vector<std::uint32_t> push{pass_.push_constants[0], pass_.push_constants[1]};
+    push_colours(push, colours_);
     plan_.add_pass({.name = name,
                     .shader = "thing_between",
                     .reads = std::move(reads),
                     .writes = {own_part({"units_out", units_}, tiles), own_part({"rays_list_out", list_}, tiles),
                                own_part(pass_.writes.front(), tiles)},
                     .grid = pass_.grid,
-                    .push_constants = {pass_.push_constants[0], pass_.push_constants[1]},
+                    .push_constants = std::move(push),
                     .specialization = std::move(constants),
                     .cost = 3.0,
                     .groups = groups_of_blocks(tiles)});
@@ -393,6 +400,7 @@ class RaysByBlocks {
   Blocks blocks_;
   bool terrain_;
   BufferId none_;
+  std::array<Rgb, 3> colours_;
   BufferId quads_;
   BufferId units_;
   BufferId list_;
@@ -400,7 +408,12 @@ class RaysByBlocks {
 
 }  // namespace
 
-void add_things_sky(Plan& plan, const Part& part, const View& view, const SkyTarget& target, const Light& light) {
+bool lists_blocks(const Part& part, const View& view) {
+  return by_tables(part, view) && (part.scene.terrain ? !has_cuts(part, view) : view.directions.empty());
+}
+
+void add_things_sky(Plan& plan, const Part& part, const View& view, const SkyTarget& target, const Light& light,
+                    const std::array<Rgb, 3>& colours) {
   ThingPass found = pass_of(plan, part, view, light, by_tables(part, view), false);
   found.reads.push_back({"directions", target.directions});
   found.constants.push_back({"kProjection", target.projection});
@@ -413,8 +426,8 @@ void add_things_sky(Plan& plan, const Part& part, const View& view, const SkyTar
                 .specialization = found.constants,
                 .cost = found.tables ? 40.0 : 3.0 * ray_cost(found.steps)};
   const bool terrain = part.scene.terrain.has_value();
-  const bool by_blocks = found.tables && (terrain ? !has_cuts(part, view) : view.directions.empty());
-  if (!by_blocks) {
+  if (!lists_blocks(part, view)) {
+    assert(colours == kAsTheyAre);
     plan.add_pass(std::move(pass));
     return;
   }
@@ -425,8 +438,8 @@ void add_things_sky(Plan& plan, const Part& part, const View& view, const SkyTar
   pass.reads.insert(pass.reads.end(), {{"tiles", blocks.tiles}, {"blocks", blocks.shown}, {"nodes", blocks.nodes}});
   std::vector<Specialization> between = block_constants(part, found.things);
   between.push_back({"kEdges", physics::kEdgesFound});
-  RaysByBlocks(plan, std::move(pass), found, blocks, count_of_blocks(grid_of_blocks(part.scene, view)), terrain, none)
-      .add(between);
+  const std::uint32_t count = count_of_blocks(grid_of_blocks(part.scene, view));
+  RaysByBlocks(plan, std::move(pass), found, blocks, count, terrain, none, colours).add(between);
 }
 
 ThingsUnderCloud add_things_under_clouds(Plan& plan, const Part& part, const View& view, const SkyTarget& target,

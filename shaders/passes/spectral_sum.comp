@@ -15,6 +15,8 @@ layout(push_constant, scalar) uniform Push {
   vec3 blue;
 };
 
+#include "shared/colours.glsl"
+
 const uint kAdds = 0u;
 const uint kFirst = 1u;    // the picture holds nothing so far
 const uint kInPlace = 2u;  // the picture is the part
@@ -34,6 +36,5 @@ void main() {
   if (way == kAdds) {
     before = picture.values[i];
   }
-  vec3 colour = value.r * red + value.g * green + value.b * blue;
-  picture.values[i] = vec4(before.rgb + colour, max(before.a, value.a));
+  picture.values[i] = vec4(before.rgb + in_colours(value.rgb), max(before.a, value.a));
 }

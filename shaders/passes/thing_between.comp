@@ -11,7 +11,11 @@
 layout(push_constant, scalar) uniform Push {
   uint width;
   uint height;
+  vec3 red;  // colours of the channels
+  vec3 green;
+  vec3 blue;
 };
+#include "shared/colours.glsl"
 #include "shared/thing_quads.glsl"
 #include "shared/thing_list.glsl"
 
@@ -59,7 +63,7 @@ Asks asks_of(Quad quad, uint lane) {
     bool mine = quad.block.there && here.x < width && here.y < height;
     if (mine || (k == 0u && quad.block.there && is_in_picture(here))) {
       ViewRay view = ray_at(here, vec2(0.5));
-      PixelHolds holds = pixel_holds(here, view, sides_of(here, view.direction));
+      PixelHolds holds = pixel_holds(here, view, sides_of(here, view.direction, false));
       bool single = view.inside && holds.count == 1u;
       holds_single[lane] = k == 0u && single ? 1u : holds_single[lane];
       asks.waits |= single && mine ? 1u << k : 0u;
@@ -109,7 +113,7 @@ uint found_between(Quad quad, uint lane, uint waits) {
     here = first_of_block(quad.block.at) + place;
     bool found = (waits & (1u << k)) != 0u && (k == 0u || alike);
     if (found) {
-      write_radiance(here, true, between, vec3(1.0));
+      write_radiance(here, true, in_colours(between), vec3(1.0));
     }
     waits &= found ? ~(1u << k) : ~0u;
   }

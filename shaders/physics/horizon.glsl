@@ -144,14 +144,18 @@ real pixel_reach(CameraData camera, uint projection) {
   return 1.5 * tan(camera.half_fov) / (0.5 * height);
 }
 
+// Whether a pixel whose middle has a level above the horizon may hold the planet's edge or that of its air.
+bool is_near_level(PlanetData planet, CameraData camera, uint projection, real level) {
+  real reach = pixel_reach(camera, projection);
+  return level >= -reach && level <= air_edge(planet, camera.altitude) + reach;
+}
+
 // The rays of a pixel whose middle has a level above the horizon, x, and slopes of it per pixel, y and z.
 PixelRays rays_at_level(PlanetData planet, CameraData camera, uint projection, vec3 level) {
-  real edge = air_edge(planet, camera.altitude);
-  real reach = pixel_reach(camera, projection);
-  if (level.x < -reach || level.x > edge + reach) {
+  if (!is_near_level(planet, camera, projection, level.x)) {
     return one_ray(level.x);
   }
-  return rays_of_pixel(level.x, level.y, level.z, edge);
+  return rays_of_pixel(level.x, level.y, level.z, air_edge(planet, camera.altitude));
 }
 
 // The rays of the pixel around x, y; `direction`: that of its centre.
@@ -159,16 +163,15 @@ PixelRays pixel_rays(PlanetData planet, CameraData camera, uint projection, real
   const real kHalf = 0.49;  // in pixels; below a half, so as not to cross the cut of a map
   real h = camera.altitude;
   real centre = above_horizon(planet, h, direction);
-  real edge = air_edge(planet, h);
-  real reach = pixel_reach(camera, projection);
-  if (centre < -reach || centre > edge + reach) {
+  if (!is_near_level(planet, camera, projection, centre)) {
     return one_ray(centre);
   }
   real left = above_horizon(planet, h, view_ray(camera, projection, x - kHalf, y).direction);
   real right = above_horizon(planet, h, view_ray(camera, projection, x + kHalf, y).direction);
   real upper = above_horizon(planet, h, view_ray(camera, projection, x, y - kHalf).direction);
   real lower = above_horizon(planet, h, view_ray(camera, projection, x, y + kHalf).direction);
-  return rays_of_pixel(centre, (right - left) / (2.0 * kHalf), (lower - upper) / (2.0 * kHalf), edge);
+  return rays_of_pixel(centre, (right - left) / (2.0 * kHalf), (lower - upper) / (2.0 * kHalf),
+                       air_edge(planet, h));
 }
 
 // Direction of one of the pixel's rays.

@@ -18,6 +18,7 @@ layout(push_constant, scalar) uniform Push {
   vec3 green;
   vec3 blue;
 };
+#include "shared/colours.glsl"
 
 void main() {
   uvec2 pixel = gl_GlobalInvocationID.xy;
@@ -28,5 +29,5 @@ void main() {
   DiscBox box = DiscBox(low, high, samples.x, samples.y);
   vec3 mean = disc_in_pixel(kProjection, float(pixel.x) + 0.5, float(pixel.y) + 0.5, box);
   uvec2 at = pixel - uvec2(scene.tile.x, scene.tile.y);
-  radiance_out.values[at.y * scene.tile.width + at.x] += vec4(mean.r * red + mean.g * green + mean.b * blue, 0.0);
+  radiance_out.values[at.y * scene.tile.width + at.x] += vec4(in_colours(mean), 0.0);
 }

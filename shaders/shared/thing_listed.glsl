@@ -72,7 +72,7 @@ void main() {
   ViewRay middle = ray_at(here, vec2(0.5));
   PixelHolds holds = PixelHolds(false, false, 1u, 0.0, vec3(0.0));
   if (kTiles != kTilesOfSky) {
-    holds = holds_of(asked.has, sides_of(here, middle.direction));
+    holds = holds_of(asked.has, sides_of(here, middle.direction, true));
   }
   PixelSeen one = nothing_seen();
   if (asked.there && asked.ray < holds.count) {

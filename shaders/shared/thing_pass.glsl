@@ -6,8 +6,16 @@ layout(push_constant, scalar) uniform Push {
   uint steps;
 #ifdef AIRLIGHT_LISTED
   uint round;  // thing_list.glsl
+  vec3 red;    // colours of the channels
+  vec3 green;
+  vec3 blue;
 #endif
 };
+#ifdef AIRLIGHT_LISTED
+#include "shared/colours.glsl"
+#else
+vec3 in_colours(vec3 light) { return light; }
+#endif
 
 vec3 looking;  // direction of the first part of the ray at hand
 

@@ -44,7 +44,7 @@ Stokes with_share(Stokes sum, Stokes one, float share) {
 }
 
 void write_light(uvec2 pixel, bool inside, Stokes light, vec3 transmittance) {
-  write_radiance(pixel, inside, light.i, transmittance);
+  write_radiance(pixel, inside, in_colours(light.i), transmittance);
 }
 #endif
 

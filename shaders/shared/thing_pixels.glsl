@@ -41,7 +41,7 @@ void main() {
   for (uint turn = 0u; turn <= kMostRays; turn++) {
     if (taken) {
       ViewRay view = ray_at(here, vec2(0.5));
-      PixelHolds rays = pixel_holds(here, view, sides_of(here, view.direction));
+      PixelHolds rays = pixel_holds(here, view, sides_of(here, view.direction, true));
       inside = turn == 0u ? view.inside : inside;
       if (turn == 0u && rays.count > 1u) {
         begin = atomicAdd(listed, rays.count);
