@@ -141,9 +141,8 @@ vec3 SingleScattering::sunlight_at(vec3 place, double h, const Sunbeam& beam, Th
   return shines && (things_ == nullptr || !things_->hides_sun(physics_, place, h, beam, left)) ? light : vec3(0.0);
 }
 
-// Whether sunlight meets the ray at a distance, however weak.
-bool SingleScattering::is_reached(const LitRay& ray, const BentWay& way, double t) const {
-  const LitPoint lit = ray.unspread_at(t);
+// Whether sunlight meets a point of the ray, at a distance, however weak.
+bool SingleScattering::is_reached(const LitPoint& lit, const BentWay& way, double t) const {
   return lit.beam.up && !things_->hides_sun(physics_, way.at(t, lit.bent).place, lit.point.h, lit.beam, kNoThing);
 }
 
@@ -157,22 +156,23 @@ std::vector<SmoothPart> SingleScattering::lit_parts(const std::vector<SmoothPart
   constexpr int kPlacesADepth = 16;
   const LitRay lit_ray(physics_, ray);
   const BentWay way = way_of(ray, footing);
+  LitPlaces places(lit_ray, ray.length_, kPlaces, physics_.refraction);
   std::vector<double> edges;  // from dark to lit and back
   double before = 0.0;
   bool was_lit = false;
   for (int i = 0; i < kPlaces; ++i) {
-    const double t = ray.length_ * (i + 0.5) * (i + 0.5) / (kPlaces * kPlaces);
+    const double t = places.distance(i);
     const vec3 depth = i % kPlacesADepth == 0 ? depth_.along(ray.h, ray.mu, t) : vec3(0.0);
     if (std::min({depth.x, depth.y, depth.z}) > kDark) {
       break;
     }
-    const bool lit = is_reached(lit_ray, way, t);
+    const bool lit = is_reached(places.at(i), way, t);
     if (lit != was_lit) {
       double here = before;
       double there = t;
       for (int k = 0; k < kHalvings && i > 0; ++k) {
         const double middle = 0.5 * (here + there);
-        (is_reached(lit_ray, way, middle) == lit ? there : here) = middle;
+        (is_reached(lit_ray.unspread_at(middle), way, middle) == lit ? there : here) = middle;
       }
       edges.push_back(i > 0 ? 0.5 * (here + there) : 0.0);
     }

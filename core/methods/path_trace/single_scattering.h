@@ -65,7 +65,7 @@ class SingleScattering {
   std::vector<SmoothPart> smooth_parts(const physics::Physics::Ray& ray) const;
   std::vector<SmoothPart> lit_parts(const std::vector<SmoothPart>& smooth, const physics::Physics::Ray& ray,
                                     const Footing& footing) const;
-  bool is_reached(const LitRay& ray, const BentWay& way, double t) const;
+  bool is_reached(const LitPoint& lit, const BentWay& way, double t) const;
   bool is_lit(physics::vec3 place, double h, const Sunbeam& beam, ThingNumber left = kNoThing) const;
   BentWay way_of(const physics::Physics::Ray& ray, const Footing& footing) const;
   physics::vec3 seen_thing(const physics::Physics::Ray& ray, const Footing& footing) const;

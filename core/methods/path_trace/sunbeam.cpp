@@ -147,6 +147,9 @@ double LitRay::bending_from(double h, double mu) const {
 }
 
 double LitRay::bending_to(double t) const {
+  if (!physics_.refraction) {
+    return 0.0;
+  }
   const auto point = physics_.point_on_ray(physics_.scene.planet, ray_, t);
   return bending_ - bending_from(point.h, point.mu);
 }
@@ -160,23 +163,92 @@ double bending_of_flight(physics::Physics& physics, const physics::Physics::Ray&
                     : LitRay(physics, ray).bending_to(t);
 }
 
-LitPoint LitRay::unspread_at(double t) const {
-  const auto straight = physics_.point_on_ray(physics_.scene.planet, ray_, t);
-  if (!physics_.refraction) {
-    return {straight, unspread_sunbeam(physics_, straight.h, straight.mu_sun), ray_.nu};
-  }
-  const double bent = bending_ - bending_from(straight.h, straight.mu);
-  const double s = across(straight.mu);
-  const double ahead = s > 1e-9 ? (ray_.nu - straight.mu * straight.mu_sun) / s : 0.0;
+// `beam`: the sun's, of a point and the true sun's zenith cosine there.
+template <class Beam>
+LitPoint LitRay::point(double t, double bent, const Beam& beam) const {
   LitPoint lit;
+  lit.point = physics_.point_on_ray(physics_.scene.planet, ray_, t);
+  if (!physics_.refraction) {
+    lit.beam = beam(lit.point.h, lit.point.mu_sun);
+    lit.nu = ray_.nu;
+    return lit;
+  }
+  const double mu_sun = lit.point.mu_sun;
+  const double s = across(lit.point.mu);
+  const double ahead = s > 1e-9 ? (ray_.nu - lit.point.mu * mu_sun) / s : 0.0;
   lit.bent = bent;
-  lit.point = straight;
-  lit.point.mu_sun = straight.mu_sun * std::cos(bent) + ahead * std::sin(bent);
-  lit.beam = unspread_sunbeam(physics_, lit.point.h, lit.point.mu_sun);
-  const double level =
-      (ahead * std::cos(bent) - straight.mu_sun * std::sin(bent)) / std::max(across(lit.point.mu_sun), 1e-9);
-  lit.nu = std::clamp(straight.mu * lit.beam.mu + s * level * across(lit.beam.mu), -1.0, 1.0);
+  lit.point.mu_sun = mu_sun * std::cos(bent) + ahead * std::sin(bent);
+  lit.beam = beam(lit.point.h, lit.point.mu_sun);
+  const double level = (ahead * std::cos(bent) - mu_sun * std::sin(bent)) / std::max(across(lit.point.mu_sun), 1e-9);
+  lit.nu = std::clamp(lit.point.mu * lit.beam.mu + s * level * across(lit.beam.mu), -1.0, 1.0);
   return lit;
+}
+
+LitPoint LitRay::unspread_at(double t) const {
+  return point(t, bending_to(t), [&](double h, double mu_sun) { return unspread_sunbeam(physics_, h, mu_sun); });
+}
+
+LitPoint LitRay::bent_by(double t, double bent, double beam_bent) const {
+  return point(t, bent, [&](double h, double mu_sun) {
+    const physics::PlanetData& planet = physics_.scene.planet;
+    const double mu = std::max(raised(mu_sun, beam_bent), physics_.horizon_mu(planet, h));
+    return Sunbeam{physics_.sun_is_up(planet, h, mu_sun), mu, 1.0, beam_bent};
+  });
+}
+
+namespace {
+
+constexpr int kSpan = 16;                    // places
+constexpr std::array<int, 3> kOf{0, 8, 15};  // of which are looked at
+
+// A parabola through values at these places.
+double between(const std::array<double, 3>& values, int place) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t k = (i + 2) % 3;
+    sum += values[i] * ((place - kOf[j]) * (place - kOf[k])) / ((kOf[i] - kOf[j]) * (kOf[i] - kOf[k]));
+  }
+  return sum;
+}
+
+// How far the middle value is off the line between the others.
+double off_line(const std::array<double, 3>& values) {
+  const double line = values[0] + (values[2] - values[0]) * (kOf[1] - kOf[0]) / (kOf[2] - kOf[0]);
+  return std::abs(values[1] - line);
+}
+
+}  // namespace
+
+LitPlaces::LitPlaces(const LitRay& ray, double length, int count, bool refraction)
+    : ray_(ray), length_(length), count_(count), span_(-1), refraction_(refraction) {}
+
+double LitPlaces::distance(int i) const {
+  return length_ * (i + 0.5) * (i + 0.5) / (static_cast<double>(count_) * count_);
+}
+
+void LitPlaces::look_at(int span) {
+  constexpr double kNearLine = 2e-5;  // rad
+  span_ = span;
+  even_ = kSpan * span + kOf.back() < count_;
+  for (std::size_t i = 0; even_ && i < kOf.size(); ++i) {
+    const LitPoint lit = ray_.unspread_at(distance(kSpan * span + kOf[i]));
+    even_ = lit.beam.up;
+    bent_[i] = lit.bent;
+    beam_bent_[i] = lit.beam.bent;
+  }
+  even_ = even_ && off_line(bent_) < kNearLine && off_line(beam_bent_) < kNearLine;
+}
+
+LitPoint LitPlaces::at(int i) {
+  const double t = distance(i);
+  if (!refraction_) {
+    return ray_.unspread_at(t);
+  }
+  if (i / kSpan != span_) {
+    look_at(i / kSpan);
+  }
+  return even_ ? ray_.bent_by(t, between(bent_, i % kSpan), between(beam_bent_, i % kSpan)) : ray_.unspread_at(t);
 }
 
 LitPoint LitRay::at(double t) const {

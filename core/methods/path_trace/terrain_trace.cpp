@@ -50,6 +50,15 @@ std::vector<float> with_neighbours(const std::vector<float>& values, int columns
   return most;
 }
 
+// atan2(y, x). Nearly all places are so near that five terms of the series are exact to 1e-14.
+double angle_of(double y, double x) {
+  constexpr double kNearby = 0.03;
+  const double q = y / x;
+  const double s = q * q;
+  return x > 0.0 && q < kNearby ? q * (1.0 - s * (1.0 / 3.0 - s * (1.0 / 5.0 - s * (1.0 / 7.0 - s / 9.0))))
+                                : std::atan2(y, x);
+}
+
 }  // namespace
 
 TracedTerrain::TracedTerrain(const Scene& scene, std::shared_ptr<const physics::HostTerrain> maps)
@@ -97,14 +106,14 @@ double TracedTerrain::free_way(const MapPlace& at, double altitude, double mu) c
 
 TracedTerrain::MapPlace TracedTerrain::map_place(vec3 place) const {
   const physics::TerrainData& t = physics_.terrain_maps->shape;
-  const double level = std::hypot(place.x, place.z);
-  const double ground = radius_ * std::atan2(level, place.y);
+  const double level = std::sqrt(place.x * place.x + place.z * place.z);
+  const double ground = radius_ * angle_of(level, place.y);
   const double east = level > 0.0 ? ground * place.x / level : 0.0;
   const double north = level > 0.0 ? -ground * place.z / level : 0.0;
   MapPlace at{physics_.map_column(t, east, north), physics_.map_row(t, east, north), 0.0};
   const double off_columns = std::max({-at.column, at.column - (t.columns - 1.0), 0.0});
   const double off_rows = std::max({-at.row, at.row - (t.rows - 1.0), 0.0});
-  at.beside = std::hypot(off_columns, off_rows) * t.texel;
+  at.beside = std::sqrt(off_columns * off_columns + off_rows * off_rows) * t.texel;
   return at;
 }
 
