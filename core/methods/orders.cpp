@@ -274,7 +274,9 @@ SkyMethod orders_method() {
   method.info.bends_light = true;
   method.info.misfits = orders::cloud_misfits;
   method.no_layers = orders::no_layers_of;
-  method.validity.leaves_out = "harmonics above the degree kept, and polarisation by other media than molecules";
+  method.validity.leaves_out =
+      "harmonics above the degree kept, sunlight that waves throw into the air, and polarisation by other media than "
+      "molecules";
   method.bounds = bounds;
   const std::string never = "never";
   const std::string all = "all";

@@ -94,6 +94,44 @@ TEST(Sunbeam, IsBentByWhatItsOwnRayIs) {
   }
 }
 
+// Places between others have the bendings that they would be found to have, to 2e-5 rad, and the sun up at the same
+// ones; a third of them at least are told by others.
+TEST(Sunbeam, OfPlacesAlongARayIsThatOfEach) {
+  constexpr int kPlaces = 400;
+  int told = 0;
+  int all = 0;
+  for (const auto& [sun_deg, height] : std::vector<std::pair<double, double>>{
+           {-3.0, 8.0}, {-0.4, 8.0}, {0.2, 8.0}, {0.2, 2.5}, {7.0, 8.0}, {60.0, 8.0}}) {
+    Scene scene = earth(sun_deg, 0.0);
+    scene.planet.refraction.emplace().n_minus_1 = 2.9e-4;
+    scene.planet.refraction->density.scale_height = height;
+    physics::Physics p = make_physics(scene);
+    const vec3 sun = p.scene.sun.direction;
+    for (const double elevation_deg : {-5.0, -0.1, 0.1, 2.0, 45.0}) {
+      for (const double azimuth_deg : {20.0, 160.0}) {
+        const vec3 direction = p.direction_from_angles(radians(elevation_deg), radians(azimuth_deg));
+        const auto ray =
+            p.ray_in_atmosphere(p.scene.planet, scene.camera.altitude, direction.y, sun.y, dot(direction, sun));
+        const LitRay lit(p, ray);
+        LitPlaces places(lit, ray.length_, kPlaces, true);
+        for (int i = 0; i < kPlaces; ++i) {
+          const LitPoint expected = lit.unspread_at(places.distance(i));
+          const LitPoint found = places.at(i);
+          const auto what = [&] {
+            return testing::Message() << sun_deg << " " << elevation_deg << " " << azimuth_deg << " " << i;
+          };
+          ASSERT_EQ(found.beam.up, expected.beam.up) << what();
+          ASSERT_NEAR(found.bent, expected.bent, 2e-5) << what();
+          ASSERT_NEAR(std::acos(found.beam.mu), std::acos(expected.beam.mu), 2e-5) << what();
+          told += found.beam.up && found.bent != expected.bent ? 1 : 0;
+          all += found.beam.up ? 1 : 0;
+        }
+      }
+    }
+  }
+  EXPECT_GT(told, all / 3);
+}
+
 // A ball of 2 km before the sun takes its shadow out of every ray to within the edges' halving: against the sum of
 // 20 000 short steps, whose own edges are a step wide.
 TEST(SingleScattering, ShadowsAreCutOutAtTheirEdges) {

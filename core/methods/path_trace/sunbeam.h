@@ -64,7 +64,7 @@ class LitRay {
 
 // Places of a ray under the sun, ((i + 1/2) / count)^2 of its length from the start, asked for in any order but fastest
 // in their own. Among neighbours whose bendings lie near a line they are those of a parabola through three of them, to
-// 1e-5 rad; in their shadows the sun is 1e-2 wide.
+// 2e-5 rad; in their shadows the sun is 1e-2 wide.
 class LitPlaces {
  public:
   LitPlaces(const LitRay& ray, double length, int count, bool refraction);
