@@ -334,8 +334,11 @@ OffListedRays off_listed_rays(Scene scene) {
       const int x = k % picture.width;
       const int y = k / picture.width;
       if (is_even(picture, x, y)) {
-        (stands_on_a_ray(x, y) ? off.on_rays : off.between)
-            .push_back(std::abs(channel_of(picture, x, y, 1) / rays[3 * static_cast<std::size_t>(k) + 1] - 1.0));
+        for (const std::size_t c : {0U, 1U, 2U}) {
+          const double ray = rays[3 * static_cast<std::size_t>(k) + c];
+          (stands_on_a_ray(x, y) ? off.on_rays : off.between)
+              .push_back(std::abs(channel_of(picture, x, y, c) / ray - 1.0));
+        }
       }
     }
   }
@@ -376,6 +379,25 @@ TEST(Things, BlocksAsideOfBodiesAreTheirRays) {
     EXPECT_LT(at_share(off.on_rays, 0.97), 1e-3) << things;
     EXPECT_LT(at_share(off.between, 0.9), 1.5e-3) << things;
     EXPECT_LT(at_share(off.between, 0.97), 4e-3) << things;
+  }
+}
+
+// Three wavelengths become colours where their pixels are written, more of them by passes over whole pictures. Listed
+// rays go another way, so they tell whether the colours are right.
+TEST(Things, OfThreeWavelengthsAreWrittenInColours) {
+  Scene scene = resolve(load_preset(AIRLIGHT_SOURCE_DIR "/presets/lookdev-spheres.json"), method_infos());
+  scene.camera.pitch = 0.0;
+  scene.sun.disc.visible = false;
+  scene.bloom.enabled = false;
+  scene.spectra->wavelengths = 3;
+  const OffListedRays off = off_listed_rays(scene);
+  print_off("three wavelengths", off);
+  EXPECT_LT(at_share(off.on_rays, 0.9), 1e-5);
+  EXPECT_LT(at_share(off.between, 0.9), 1.5e-3);
+  for (const auto& [wavelengths, sums] : {std::pair{3, 0}, {6, 2}}) {
+    scene.spectra->wavelengths = wavelengths;
+    const Plan plan = plan_for(scene, {});
+    EXPECT_EQ(std::ranges::count(plan.passes(), "spectral_sum", &PassDesc::shader), sums);
   }
 }
 
