@@ -126,18 +126,18 @@ struct PixelSides {
   vec3 level;
 };
 
-// `spread`: whether the width across is asked for where no body stands.
+// Slopes of the level are known near the horizon alone, widths wherever a body may stand; `spread`: everywhere.
 PixelSides sides_of(uvec2 pixel, vec3 middle, bool spread) {
   const float kInside = 0.49;  // of the pixel, so as not to cross the cut of a map
   PixelSides sides = PixelSides(vec2(0.0), vec3(0.0));
   sides.level.x = above_horizon(scene.planet, scene.camera.altitude, middle);
   vec3 before = vec3(0.0);
   float level_before = 0.0;
-  // Across the pixel, from corner to corner, and down. Slopes are for rays_at_level(), which asks near the horizon alone.
-  bool near = is_near_level(scene.planet, scene.camera, kProjection, sides.level.x);
-  if (!(kEdges != kEdgesLeftOut && near) && bodies_before() == 0u && !spread) {
+  bool near = kEdges != kEdgesLeftOut && is_near_level(scene.planet, scene.camera, kProjection, sides.level.x);
+  if (!near && bodies_before() == 0u && !spread) {
     return sides;
   }
+  // Across the pixel, from corner to corner, and down.
   DONT_UNROLL for (uint i = 0u; i < 6u; i++) {
     vec2 side = i < 2u ? vec2(1.0, 0.0) : i < 4u ? vec2(1.0) : vec2(0.0, 1.0);
     vec3 direction = direction_at(pixel, 0.5 + ((i & 1u) == 0u ? -kInside : kInside) * side);

@@ -63,8 +63,8 @@ class LitRay {
 };
 
 // Places of a ray under the sun, ((i + 1/2) / count)^2 of its length from the start, asked for in any order but fastest
-// in their own. Among neighbours whose bendings lie near a line they are those of a parabola through three of them, to
-// 2e-5 rad; in their shadows the sun is 1e-2 wide.
+// in their own. Of neighbours three are looked at; where these see the sun and their bendings lie near a line, those of
+// the others are on a parabola through them, to 2e-5 rad.
 class LitPlaces {
  public:
   LitPlaces(const LitRay& ray, double length, int count, bool refraction);
