@@ -116,7 +116,6 @@ chart::RunOrder order_of(const ChartGiven& given, chart::Settings& settings) {
     for (const std::string& name : given.methods) {
       require_knows(*find_method(name), scene, "chart: " + preset + ": --method " + name);
     }
-    require_knows(*find_method("path-trace"), scene, "chart: " + preset + ": path-trace, the truth,");
     settings.image = scene.image;
     order.scenes.push_back({preset, std::move(scene)});
   }

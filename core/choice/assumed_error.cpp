@@ -96,10 +96,9 @@ bool is_beside_the_top(const Scene& scene) {
   return height > kFrom && height < kTo;
 }
 
-}  // namespace
-
-// By the references of tests/truth and the scenes of core/SPECTRA.md: 0.2 to 0.3 % in clear air over dark ground, up to
-// 0.7 % over snow and 2 % in twilight over it, 0.4 to 1.2 % in haze and dust.
+// The error that every reference has, however fine its tables: harmonics above the degree are missing. By the
+// references of tests/truth and the scenes of core/SPECTRA.md: 0.2 to 0.3 % in clear air over dark ground, up to 0.7 %
+// over snow and 2 % in twilight over it, 0.4 to 1.2 % in haze and dust.
 double common_error(const Stage& stage) {
   const Scene& scene = stage.scene();
   const Air& air = stage.whole().air;
@@ -110,6 +109,8 @@ double common_error(const Stage& stage) {
   return 0.0015 + (is_day(scene) ? 0.0045 : 0.0195) * brightest_ground(scene) + peaks +
          0.03 * std::min(1.0, depths.abrupt / 0.1);
 }
+
+}  // namespace
 
 std::optional<double> plain_reference_error(const Stage& stage) {
   constexpr double kThick = 0.05;  // by day

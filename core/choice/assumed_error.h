@@ -8,9 +8,6 @@
 
 namespace airlight::choice {
 
-// The error that every reference has, however fine its tables: harmonics above the degree are missing.
-double common_error(const Stage& stage);
-
 // The error of the plain reference. Nothing is assumed among things and over a ground by maps, where the sun is far
 // below the horizon, or low over thick air, or a phase function is sharper than most or peaks backward.
 std::optional<double> plain_reference_error(const Stage& stage);

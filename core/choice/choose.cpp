@@ -62,8 +62,7 @@ struct Ground {
         judge(judged_by) {
     known_error = lighter.error;
     // Tables among things are dear. There paths judge, at all wavelengths, and the scene's own will do.
-    const bool paths_judge = stand_at_true_distance(scene) && can_be_traced(scene);
-    if (lighter.stage.in_colours() && !probes.directions.empty() && !paths_judge) {
+    if (lighter.stage.in_colours() && !probes.directions.empty() && !stand_at_true_distance(scene)) {
       settle_wavelengths(tolerance);
     }
     made = {reference(lighter.stage, false)};
@@ -76,10 +75,8 @@ struct Ground {
     const std::optional<double> known = plain_reference_error(lighter.stage);
     if (known && *known <= enough && !judge.was_asked()) {
       known_error += *known;
-    } else if (can_be_traced(scene)) {
-      judge_reference(tolerance);
     } else {
-      refine();
+      judge_reference(tolerance);
     }
   }
 
@@ -132,20 +129,6 @@ struct Ground {
     known_error = verdict.at_most;
   }
 
-  // Both references' methods are the same but for the degree and the tables' sizes, four times the entries: what the
-  // fine one is still away from the limit is less than half of their distance.
-  void refine() {
-    constexpr double kRemains = 0.5;
-    made.push_back(reference(lighter.stage, true));
-    std::vector<float> better = looks.probe(made.back().stage, probes);
-    dark = dark_radiance(lighter.stage.scene(), better);
-    if (dark == 0.0) {
-      known_error +=
-          common_error(lighter.stage) + kRemains * mean_at_most(measure::sample_error(truth, better, probes.weights));
-    }
-    truth = std::move(better);
-  }
-
   // Against the reference, whose own error is known; of `orders` against path-trace as well, where that was asked.
   double bound_of(const Candidate& candidate) const {
     if (probes.directions.empty()) {
@@ -194,7 +177,7 @@ Choice only_choice(const Candidate& candidate, double error) {
 
 // Tables among terrain cost as much as the picture: there the defaults are judged, and nothing else is tried.
 bool only_defaults(const Stage& stage, const std::string& only) {
-  return (only.empty() || only == "orders") && stage.scene().terrain && can_be_traced(stage.scene());
+  return (only.empty() || only == "orders") && stage.scene().terrain;
 }
 
 bool default_will_do(const Stage& stage, const std::string& only) {
@@ -216,7 +199,7 @@ std::optional<Choice> sure_choice(const Stage& stage, double tolerance, const st
 // The same, where path-trace says that it does; a refusal where nothing else is tried or the time is up.
 std::optional<Choice> judged_choice(const Stage& stage, double tolerance, const std::string& only,
                                     const ProbeFunction& probe, Judge& judge) {
-  if (!default_will_do(stage, only) || !can_be_traced(stage.scene()) || judge.probes().directions.empty()) {
+  if (!default_will_do(stage, only) || judge.probes().directions.empty()) {
     return std::nullopt;
   }
   const Candidate candidate = default_candidate(stage);

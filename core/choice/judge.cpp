@@ -11,7 +11,6 @@
 #include "core/methods/method.h"
 #include "core/methods/path_trace/checkpoint.h"
 #include "core/methods/ready.h"
-#include "core/scene/thing_kinds.h"
 
 namespace airlight::choice {
 namespace {
@@ -79,10 +78,6 @@ Traced traced_of(const std::vector<float>& values) {
 }
 
 }  // namespace
-
-bool can_be_traced(const Scene& scene) {
-  return knows_things_of(find_method("path-trace")->info, scene);
-}
 
 Traced trace_probes(const Stage& stage, const Probes& probes, const TraceOrder& order) {
   const SkyMethod& method = *find_method("path-trace");

@@ -34,9 +34,6 @@ using TraceFunction = std::function<Traced(const Stage& stage, const Probes& pro
 using PatienceFunction = std::function<double()>;
 inline constexpr double kLongPatience = 20.0;
 
-// Whether path-trace renders such a scene: it knows all things in it.
-bool can_be_traced(const Scene& scene);
-
 // By the method's own sampler, of spectra at all wavelengths. Kept for later starts (core/gpu/kept_values.h), which
 // trace nothing anew.
 Traced trace_probes(const Stage& stage, const Probes& probes, const TraceOrder& order);

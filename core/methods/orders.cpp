@@ -267,7 +267,6 @@ SkyMethod orders_method() {
   method.info = {"orders", "successive orders of scattering as spherical-harmonic moments; near truth", kParameters};
   method.info.knows_terrain = true;
   method.info.knows_bodies = true;
-  method.info.knows_translucent_spheres = true;
   method.info.knows_ground_maps = true;
   method.info.knows_clouds = true;
   method.info.knows_polarisers = true;

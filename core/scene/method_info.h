@@ -48,10 +48,9 @@ struct MethodInfo {
   std::string_view summary;  // one line for --help and the chart's legend
   std::span<const ParameterInfo> parameters;
   bool knows_terrain = false;
-  bool knows_bodies = false;               // spheres
-  bool knows_translucent_spheres = false;  // whose light follows a published form, not paths
-  bool knows_ground_maps = false;          // planet.albedo_map, planet.ocean
-  bool knows_polarisers = false;           // camera.polariser
+  bool knows_bodies = false;       // spheres
+  bool knows_ground_maps = false;  // planet.albedo_map, planet.ocean
+  bool knows_polarisers = false;   // camera.polariser
   bool knows_clouds = false;
   bool bends_light = false;  // planet.refraction
   // Of scenes whose things it knows; null: it renders them all.

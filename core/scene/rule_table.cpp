@@ -448,7 +448,7 @@ constexpr auto kRules = std::to_array<Rule>({
         "`perspective` and `fisheye`"),
 
     row(RuleType::spheres, "scene.spheres", Range{.minimum = 1, .maximum = kMaxSpheres}, "", "",
-        "balls, as on a set; `orders` and `path-trace` know them, `orders` alone translucent ones"),
+        "balls, as on a set; `orders` and `path-trace` know them"),
     number<&Sphere::azimuth>("scene.spheres[].azimuth_deg", kAnyAngle, "degrees", "0",
                              "where the camera sees the centre, clockwise from north"),
     number<&Sphere::elevation>("scene.spheres[].elevation_deg", kRightAngle, "degrees", "0", "and how far above level"),

@@ -20,7 +20,7 @@ struct ThingKind {
   bool at_true_distance = false;  // where the air bends light, its lengths are true ones near the camera
 };
 
-inline constexpr std::array<ThingKind, 6> kThingKinds{
+inline constexpr std::array<ThingKind, 5> kThingKinds{
     {{"terrain",
       "planet",
       {"terrain", ""},
@@ -33,11 +33,6 @@ inline constexpr std::array<ThingKind, 6> kThingKinds{
       &MethodInfo::knows_bodies,
       [](const Scene& s) { return !s.spheres.empty(); },
       true},
-     {"translucent spheres",
-      "scene",
-      {"spheres", ""},
-      &MethodInfo::knows_translucent_spheres,
-      [](const Scene& s) { return std::ranges::count(s.spheres, SphereMaterial::translucent, &Sphere::material) > 0; }},
      {"clouds", "", {"clouds", ""}, &MethodInfo::knows_clouds, [](const Scene& s) { return !s.clouds.empty(); }, true},
      {"maps of the ground",
       "planet",

@@ -38,6 +38,9 @@ void tell_spheres(const Scene& scene, const TellNumber& tell) {
     for (std::size_t c = 0; c < 3; ++c) {
       tell(here + "/albedo/" + std::to_string(c), sphere.albedo[c]);
     }
+    if (sphere.material == SphereMaterial::translucent) {
+      tell(here + "/scatter_strength", sphere.scatter_strength);
+    }
   }
 }
 

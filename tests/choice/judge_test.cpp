@@ -11,12 +11,23 @@
 #include "core/base/clock.h"
 #include "core/choice/assumed_error.h"
 #include "core/gpu/kept_values.h"
+#include "core/methods/method.h"
+#include "core/scene/thing_kinds.h"
 #include "tests/choice/looks.h"
 #include "tests/choice/of_scene.h"
 #include "tests/output/files.h"
 
 namespace airlight::choice {
 namespace {
+
+// No choice asks whether a scene can be traced.
+TEST(Tolerance, TheJudgeKnowsAllThings) {
+  const MethodInfo& judge = find_method("path-trace")->info;
+  EXPECT_EQ(judge.misfits, nullptr);
+  for (const ThingKind& kind : kThingKinds) {
+    EXPECT_TRUE(judge.*kind.known) << kind.name;
+  }
+}
 
 // An assumed error of the reference is dropped where paths contradict it (seed 1227).
 TEST(Tolerance, PathsCountMoreThanWhatIsKnown) {

@@ -86,14 +86,6 @@ TEST_F(SphereTool, WhatKnowsNoSpheresSaysSo) {
     EXPECT_EQ(outcome.exit_code, 2) << method;
     EXPECT_TRUE(contains(outcome.err, "knows no spheres; choose orders, path-trace")) << outcome.err;
   }
-  preset(R"([{"distance_m": 5, "radius_m": 1, "material": "translucent"}])");
-  for (const std::vector<std::string>& command :
-       {std::vector<std::string>{"render", "set.json", "--method", "path-trace"}, {"chart", "set.json", "-o", "x"}}) {
-    const Outcome outcome = tool(command);
-    EXPECT_EQ(outcome.exit_code, 2) << command[0];
-    EXPECT_TRUE(contains(outcome.err, "path-trace")) << outcome.err;
-    EXPECT_TRUE(contains(outcome.err, "knows no translucent spheres; choose")) << outcome.err;
-  }
   EXPECT_EQ(scratch_.files(), std::vector<std::string>{"set.json"});
 }
 

@@ -223,7 +223,7 @@ class Writer {
     for (;;) {
       const SkyMethod& method = random_.pick(methods());
       const MethodInfo& info = method.info;
-      if ((!things.spheres || info.knows_translucent_spheres) && (!things.terrain || info.knows_terrain) &&
+      if ((!things.spheres || info.knows_bodies) && (!things.terrain || info.knows_terrain) &&
           (!things.ground_maps || info.knows_ground_maps) && (!things.clouds || info.knows_clouds)) {
         return method;
       }

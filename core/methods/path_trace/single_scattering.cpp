@@ -194,6 +194,13 @@ std::vector<SmoothPart> SingleScattering::lit_parts(const std::vector<SmoothPart
   return parts;
 }
 
+// Of sunlight that the thing at the ray's end sends back, as of SurfaceShares.
+double SingleScattering::thing_cosine(const Ray& ray, const Footing& footing, const Sunbeam& beam) const {
+  const vec3 normal = things_->normal(footing.place, footing.thing);
+  const SurfaceShares shares = things_->shares(normal, way_of(ray, footing).at(ray.length_).direction, footing.thing);
+  return shares.cosine(dot(normal, sun_seen_from(physics_, footing.place, beam)));
+}
+
 // A mirror's light comes along a ray of its own.
 vec3 SingleScattering::seen_thing(const Ray& ray, const Footing& footing) const {
   const LitPoint end = LitRay(physics_, ray).at(ray.length_);
@@ -201,8 +208,7 @@ vec3 SingleScattering::seen_thing(const Ray& ray, const Footing& footing) const 
   if (things_->mirrors(footing.thing)) {
     return vec3(0.0);
   }
-  const vec3 to_sun = sun_seen_from(physics_, place, end.beam);
-  const double facing = std::max(dot(things_->normal(place, footing.thing), to_sun), 0.0);
+  const double facing = thing_cosine(ray, footing, end.beam);
   const vec3 beam =
       facing > 0.0 ? sunlight_at(off_thing(place, footing.thing), end.point.h, end.beam, footing.thing) : vec3(0.0);
   return beam * things_->albedo(place, footing.thing) * (facing / std::numbers::pi);
@@ -271,8 +277,7 @@ Wide SingleScattering::radiance(const Ray& ray, const Footing& footing, const Wa
   const LitPoint end = LitRay(physics_, ray).at(ray.length_);
   const vec3 place = thing != kNoThing ? footing.place : way_of(ray, footing).at(ray.length_).place;
   const double h = thing != kNoThing ? end.point.h : 0.0;
-  const double facing =
-      thing != kNoThing ? dot(things_->normal(place, thing), sun_seen_from(physics_, place, end.beam)) : end.beam.mu;
+  const double facing = thing != kNoThing ? thing_cosine(ray, footing, end.beam) : end.beam.mu;
   if (facing > 0.0 && is_lit(off_thing(place, thing), h, end.beam, thing)) {
     const Columns columns = depth_.columns_along(ray.h, ray.mu, ray.length_) + depth_.columns_to_top(h, end.beam.mu);
     const Wide sent = thing != kNoThing ? all.thing_albedo(*things_, place, thing) * (facing / std::numbers::pi)

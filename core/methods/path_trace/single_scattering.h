@@ -68,6 +68,7 @@ class SingleScattering {
   bool is_reached(const LitPoint& lit, const BentWay& way, double t) const;
   bool is_lit(physics::vec3 place, double h, const Sunbeam& beam, ThingNumber left = kNoThing) const;
   BentWay way_of(const physics::Physics::Ray& ray, const Footing& footing) const;
+  double thing_cosine(const physics::Physics::Ray& ray, const Footing& footing, const Sunbeam& beam) const;
   physics::vec3 seen_thing(const physics::Physics::Ray& ray, const Footing& footing) const;
   physics::vec3 seen_ground(physics::Physics& physics, const physics::Physics::Ray& ray, const Footing& footing,
                             physics::vec3 beam, double mu_sun) const;

@@ -73,4 +73,14 @@ bool TracedThings::mirrors(ThingNumber thing) const {
   return thing >= 0 && physics_.ball_of_body(number_of(thing)).material == physics::kSphereMirror;
 }
 
+SurfaceShares TracedThings::shares(vec3 normal, vec3 direction, ThingNumber thing) const {
+  if (thing < 0 || physics_.ball_of_body(number_of(thing)).material != physics::kSphereTranslucent) {
+    return {};
+  }
+  // The formula takes the surface's irradiance and the mean over all normals: here they have a channel each.
+  const vec3 sent = physics_.translucent_irradiance(physics_.ball_of_body(number_of(thing)), vec3(1.0, 0.0, 0.0),
+                                                    vec3(0.0, 1.0, 0.0), -dot(normal, direction));
+  return {sent.x, sent.y};
+}
+
 }  // namespace airlight

@@ -1,6 +1,7 @@
 #pragma once
 // The things of a scene for paths: terrain and bodies. It shares neither the shaders' march nor their tables.
 
+#include <algorithm>
 #include <optional>
 
 #include "core/methods/path_trace/bent_way.h"
@@ -28,6 +29,18 @@ constexpr ThingNumber thing_of_cloud(int cloud) {
   return kFirstCloud - cloud;
 }
 
+// How a surface sends light on, in shares of its albedo: as a matte one does, and evenly into all directions, also
+// through the thing, which then hides nothing.
+struct SurfaceShares {
+  double matte = 1.0;
+  double even = 0.0;
+
+  // Of light to or from this direction, as the cosine with the normal counts for a matte surface: over pi it is the
+  // scattering's density, 1/sr, which integrates to all().
+  double cosine(double with_normal) const { return matte * std::max(with_normal, 0.0) + 0.25 * even; }
+  double all() const { return matte + even; }
+};
+
 class TracedThings {
  public:
   explicit TracedThings(const Part& part);
@@ -53,6 +66,8 @@ class TracedThings {
   physics::vec3 normal(physics::vec3 place, ThingNumber thing) const;
   physics::vec3 albedo(physics::vec3 place, ThingNumber thing) const;
   bool mirrors(ThingNumber thing) const;
+  // For a path that meets the thing along `direction` (unit).
+  SurfaceShares shares(physics::vec3 normal, physics::vec3 direction, ThingNumber thing) const;
 
   // The place on the terrain's map, in columns and rows.
   physics::vec2 on_map(physics::vec3 place) const { return terrain_->on_map(place); }

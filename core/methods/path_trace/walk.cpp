@@ -248,6 +248,7 @@ void Walk::stand_on_surface(State& state) const {
   state.normal = on_thing ? things_->normal(place, state.thing) : state.up;
   state.albedo = on_thing ? things_->albedo(place, state.thing) : ground_albedo_at(physics_, state.up);
   state.mirrors = on_thing && things_->mirrors(state.thing);
+  state.shares = on_thing ? things_->shares(state.normal, state.direction, state.thing) : SurfaceShares{};
   if (state.wide != nullptr) {
     const Wavelengths& all = state.wide->wavelengths();
     state.wide_albedo = on_thing
@@ -276,7 +277,7 @@ vec3 Walk::from_sun(const State& state, Random& random) const {
     arrives = arrives * through_clouds(state, sun, random);
   }
   if (state.thing != kNoThing) {
-    const double facing = std::max(dot(state.normal, seen_from(state, sun)), 0.0);
+    const double facing = state.shares.cosine(dot(state.normal, seen_from(state, sun)));
     return arrives * state.albedo * (facing / std::numbers::pi);
   }
   if (state.at_ground) {
@@ -308,8 +309,8 @@ void Walk::add_from_sun(const State& state, Random& random) const {
     }),
                               1.0);
   } else if (state.at_ground) {
-    const double facing = dot(state.normal, seen_from(state, sun));
-    state.wide->add_reflected(to_sun, state.wide_albedo, std::max(facing, 0.0) * share / std::numbers::pi);
+    const double facing = state.shares.cosine(dot(state.normal, seen_from(state, sun)));
+    state.wide->add_reflected(to_sun, state.wide_albedo, facing * share / std::numbers::pi);
   } else {
     Columns densities = state.densities;
     for (double& density : densities) {
@@ -355,7 +356,7 @@ void Walk::set_out(State& state, const Choice& choice, double density) const {
   }
   state.axis = bend.axis;
   if (state.wide != nullptr && state.at_ground) {
-    state.wide->reflect(state.wide_albedo, std::max(dot(next, state.normal), 0.0) / std::numbers::pi, density);
+    state.wide->reflect(state.wide_albedo, state.shares.cosine(dot(next, state.normal)) / std::numbers::pi, density);
   } else if (state.wide != nullptr) {
     state.wide->scatter(state.densities, bend, density);
   }

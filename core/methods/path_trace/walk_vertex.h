@@ -32,6 +32,7 @@ struct Walk::State {
   physics::vec3 normal = physics::vec3(0.0);  // of ground or thing
   physics::vec3 albedo = physics::vec3(0.0);
   Wide wide_albedo;  // at all wavelengths, if there are any
+  SurfaceShares shares;
   Analyser<physics::vec3> analyser = {};
   physics::vec3 axis = physics::vec3(0.0);     // of the analyser
   physics::vec3 dipoles = physics::vec3(0.0);  // coefficient of the molecules here that polarise
@@ -59,7 +60,7 @@ struct Walk::Choice {
 // The directions in which a vertex may continue a path, and their densities.
 class Walk::Lobes {
  public:
-  // Without `guided`: only the phase functions, or the cosine.
+  // Without `guided`: only the phase functions, or the surface's own.
   // `first_cloud`: the first medium of a cloud.
   Lobes(physics::Physics& physics, const PhaseSampler& phases, const SkyGuide& guide, const State& state, bool guided,
         physics::uint first_cloud)
@@ -67,7 +68,8 @@ class Walk::Lobes {
         phases_(phases),
         guide_(guide),
         state_(state),
-        frame_(physics, state.h, state.up, state.at_ground),
+        // Light from below counts where the surface sends it on.
+        frame_(physics, state.h, state.up, state.at_ground && !(state.shares.even > 0.0)),
         first_cloud_(first_cloud) {
     if (state.at_ground) {
       toward_sky_ = guided ? kTowardSkyGround : 0.0;
@@ -109,7 +111,10 @@ class Walk::Lobes {
       if (u < toward_sky_) {
         return guide_.draw_direction(frame_, weight_, u / toward_sky_, turn);
       }
-      return around(state_.normal, std::sqrt((1.0 - u) / (1.0 - toward_sky_)), turn);
+      const double rest = (1.0 - u) / (1.0 - toward_sky_);
+      const double matte = state_.shares.matte / state_.shares.all();
+      const double nu = rest <= matte ? std::sqrt(rest / matte) : 2.0 * (rest - matte) / (1.0 - matte) - 1.0;
+      return around(state_.normal, nu, turn);
     }
     const physics::uint n = count();
     const auto weight = [&](std::size_t k) {
@@ -136,8 +141,9 @@ class Walk::Lobes {
     const double to_sun = std::clamp(dot(direction, physics_.scene.sun.direction), -1.0, 1.0);
     const double from_sky = toward_sky_ > 0.0 ? guide_.density(frame_, weight_, direction) : 0.0;
     if (state_.at_ground) {
-      const double cosine = std::max(dot(direction, state_.normal), 0.0) / std::numbers::pi;
-      return {direction, state_.albedo * cosine, toward_sky_ * from_sky + (1.0 - toward_sky_) * cosine, 1.0};
+      const double cosine = state_.shares.cosine(dot(direction, state_.normal)) / std::numbers::pi;
+      const double own = cosine / state_.shares.all();
+      return {direction, state_.albedo * cosine, toward_sky_ * from_sky + (1.0 - toward_sky_) * own, 1.0};
     }
     const Bend bend = bend_of(state_.direction, direction, state_.axis);
     const double turned = bend.nu;
