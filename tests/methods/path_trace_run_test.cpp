@@ -96,6 +96,16 @@ TEST_F(Checkpoint, AnotherSceneIsRefusedByName) {
   EXPECT_NE(message.find("0.0039"), std::string::npos) << message;
 }
 
+TEST_F(Checkpoint, SpheresOfAnotherMatterAreRefused) {
+  Scene scene = earth(10, 0.001, 0.3);
+  scene.spheres.push_back({.distance = 0.01, .radius = 0.001, .material = SphereMaterial::translucent});
+  trace(scene, View{}, {.checkpoint = file_});
+  scene.spheres[0].scatter_strength = 3.0;
+  EXPECT_NE(refusal(scene).find("/scene/spheres/0/scatter_strength 3"), std::string::npos) << refusal(scene);
+  scene.spheres[0].material = SphereMaterial::matte;
+  EXPECT_NE(refusal(scene).find("/scene/spheres/0/material"), std::string::npos) << refusal(scene);
+}
+
 TEST_F(Checkpoint, NamesSpectraOfTheSunAndDisplayMayChange) {
   Scene scene = earth(10, 0.001, 0.3);
   const HostPicture first = trace(scene, View{}, {.checkpoint = file_});
