@@ -114,6 +114,9 @@ struct ThingLight {
 };
 ThingLight add_thing_light(Plan& plan, const Part& part, const Light& light, const ThingInputs& things);
 
+// The light of caps of the sky, which bodies hide (shaders/physics/sky_caps.glsl); any image where none stand.
+ImageId add_sky_caps(Plan& plan, const Part& part, const Light& light, const ThingInputs& things);
+
 // kShafts of a march.
 std::uint32_t march_shafts(const Part& part);
 

@@ -1,5 +1,5 @@
-// What terrain does to the light that the table of moments holds: shares in a grid around it
-// (shaders/physics/thing_light.glsl).
+// What things do to the light that the table of moments holds: terrain by shares in a grid around it
+// (shaders/physics/thing_light.glsl), bodies by the caps of the sky that they hide (shaders/physics/sky_caps.glsl).
 
 #include <algorithm>
 #include <cmath>
@@ -114,6 +114,29 @@ ThingLight add_thing_light(Plan& plan, const Part& part, const Light& light, con
   }
   return {shares, maker.add("thing_light_slopes", slopes, shares, physics::kLightLayers, false,
                             light_key(plan, part, "thing_light_slopes", slopes, light))};
+}
+
+ImageId add_sky_caps(Plan& plan, const Part& part, const Light& light, const ThingInputs& things) {
+  if (part.scene.spheres.empty()) {
+    return light.moments;
+  }
+  const ImageId caps = plan.add_image({.name = "sky_caps",
+                                       .extent = {physics::kCapAngles * physics::kCapSizes, 2 * physics::kCapTurns, 1},
+                                       .half = true});
+  const std::uint32_t steps = (light.steps + 3) / 4;
+  std::vector<Binding> reads = light.reads();
+  reads.insert(reads.end(), things.reads.begin(), things.reads.end());
+  std::vector<Specialization> constants = light.constants;
+  constants.insert(constants.end(), things.constants.begin(), things.constants.end());
+  plan.add_pass({.name = "sky_caps",
+                 .shader = "sky_caps",
+                 .reads = std::move(reads),
+                 .writes = {{"caps_out", caps}},
+                 .grid = {1, 1, 1},
+                 .push_constants = {steps},
+                 .specialization = std::move(constants),
+                 .cost = 20.0 * ray_cost(steps)});
+  return caps;
 }
 
 }  // namespace airlight::orders

@@ -290,6 +290,7 @@ ThingPass pass_of(Plan& plan, const Part& part, const View& view, const Light& l
   const ThingLight among = add_thing_light(plan, part, light, things);
   const std::vector<Binding> shares = among.reads();
   pass.reads.insert(pass.reads.end(), shares.begin(), shares.end());
+  pass.reads.push_back({"caps_lut", add_sky_caps(plan, part, light, things)});
   pass.corners = add_corners(plan, part, view, things);
   pass.reads.push_back({"corners", pass.corners});
   if (tables || clouds) {

@@ -96,6 +96,7 @@ struct Physics : HostBodies {
   HostTable light_shares;
   HostTable light_bases;
   std::vector<HostTable> open_light_slices;
+  HostTable sky_caps;                             // physics/sky_caps.glsl, sizes side by side; empty: an even sky
   std::shared_ptr<const HostGround> ground_maps;  // null: one albedo
 
   uint medium_count() const { return media; }
@@ -245,6 +246,11 @@ struct Physics : HostBodies {
     return light_shares.fetch(column, (layer + (0.5 + place.y * (rows - 1.0)) / rows) / (kLightLayers + 1.0));
   }
   vec3 fetch_slope_share(vec2 place) const { return fetch_share(kShareAlong, kLightLayers, place); }
+  vec3 fetch_cap(uint block, real x, real y, uint size) const {
+    const real column = (size * kCapAngles + 0.5 + x * (kCapAngles - 1.0)) / (kCapAngles * kCapSizes);
+    const real row = (block * kCapTurns + 0.5 + y * (kCapTurns - 1.0)) / (2.0 * kCapTurns);
+    return sky_caps.texels.empty() ? vec3(1.0) : sky_caps.fetch(column, row);
+  }
   real fetch_base(vec2 place) const { return light_bases.fetch_unit(place.x, place.y).x; }
   vec3 fetch_open(uint block, uint direction, real row, real slice) const {
     const auto low = std::min(static_cast<uint>(slice), kOpenSlices);
@@ -260,6 +266,7 @@ struct Physics : HostBodies {
 #include "shaders/physics/sphere_light.glsl"
 #include "shaders/physics/thing_open.glsl"
 #include "shaders/physics/thing_shares.glsl"
+#include "shaders/physics/sky_caps.glsl"
 #include "shaders/physics/things_light.glsl"
 #include "shaders/physics/thing_light.glsl"
 #include "shaders/physics/sky_table.glsl"

@@ -52,22 +52,35 @@ struct SkyPast {
   vec3 more;   // W/m2 that things add to it, for a sun of irradiance 1
 };
 
-// Bodies before a surface: the ball of each hides a part of its hemisphere, as if the sky were even, and shines there
-// as a matte sphere in the sun, or throws sunlight as a mirror, and in even light from all around. Bodies do not hide
-// one another.
-SkyPast with_bodies(SkyPast sky, Surface surface, vec3 sun, vec3 direct, vec3 even) {
+// Bodies before a surface: the ball of each hides a part of its hemisphere with the light that comes from there, and
+// shines there as a matte sphere in the sun, or throws sunlight as a mirror, and as a mirror or a matte sphere in the
+// light of sky and ground from the surface's side, which is asked for once for all bodies. Bodies do not hide one
+// another. `even`: mean of the sky's irradiance over all normals; `open`: the surface's without things; `clear`: how far
+// the sky is as the table of caps has it, below 1 it is the more even.
+SkyPast with_bodies(SkyPast sky, Surface surface, vec3 sun, vec3 direct, vec3 even, vec3 open, real clear) {
+  vec3 level = even / max(open, vec3(1e-30));
+  vec3 to_bodies = even * sky.share;
+  vec3 toward = vec3(0.0);
+  vec3 sent = vec3(0.0);
+  uint block = surface.what == kMeetsBody ? kCapAround : kCapLevel;
   for (uint i = 0u; i < body_count(); i++) {
     SphereData s = ball_of_body(i);
     vec3 to = s.centre - surface.place.point;
     real hidden = i == surface.which ? 0.0 : hidden_by_sphere(s, to, surface.normal);
-    sky.share = sky.share * (1.0 - hidden);
+    real far = max(length(to), 1e-12);
+    vec3 cap = cap_light(block, cap_place(to / far, surface.place.up, sun), s.radius / far) * level;
+    sky.share = sky.share * max(vec3(1.0) - (vec3(1.0) + (cap - vec3(1.0)) * clear) * hidden, vec3(0.0));
     real lit = 0.0;
     if (i != surface.which) {
       lit = s.material == kSphereMirror ? thrown_by_mirror(s, to, surface.normal, sun)
                                         : lit_of_sphere(s, to, surface.normal, sun) * hidden;
     }
-    sky.more = sky.more + s.albedo * (direct * lit + even * hidden);
+    sky.more = sky.more + s.albedo * direct * lit;
+    sent = sent + s.albedo * hidden;
+    toward = toward + to * (hidden / far);
   }
+  CapPlace bodies = cap_place(toward / max(length(toward), 1e-12), surface.place.up, sun);
+  sky.more = sky.more + to_bodies * sent * (vec3(1.0) + (light_behind(bodies) - vec3(1.0)) * clear);
   return sky;
 }
 
@@ -101,7 +114,15 @@ vec3 dark_ground_below(PlanetData planet, MomentTableData table, Surface surface
   return planet.ground_albedo * sum / real(kPlaces);
 }
 
-SkyPast sky_past_things(PlanetData planet, MomentTableData table, real camera_altitude, PlaceSun sun, Surface surface) {
+// The sky's irradiance on the surface as if no things stood.
+vec3 open_irradiance(MomentTableData table, PlaceSun sun, Surface surface) {
+  return surface.what == kMeetsGround ? moment_ground_irradiance(table, sun.mu)
+                                      : sky_irradiance(table, surface.place, surface.normal, sun);
+}
+
+// `open`: open_irradiance() there. `clear` as for with_bodies().
+SkyPast sky_past_things(PlanetData planet, MomentTableData table, real camera_altitude, PlaceSun sun, Surface surface,
+                        vec3 open, real clear) {
   SkyPast sky;
   sky.share = vec3(1.0);
   sky.more = vec3(0.0);
@@ -114,8 +135,7 @@ SkyPast sky_past_things(PlanetData planet, MomentTableData table, real camera_al
   }
   if (body_count() > 0u) {
     vec3 direct = sun_through_air(planet, sun.h, sun.mu);
-    vec3 even = mean_sky_irradiance(table, sun) * sky.share;
-    sky = with_bodies(sky, surface, sun.seen, direct, even);
+    sky = with_bodies(sky, surface, sun.seen, direct, mean_sky_irradiance(table, sun), open, clear);
     real ground = has_terrain() ? surface_height(terrain_shape(), at.x, at.y) : 0.0;
     sky.more = sky.more - dark_ground_below(planet, table, surface, sun,
                                             max(surface.place.h - ground, 0.0));
@@ -124,17 +144,17 @@ SkyPast sky_past_things(PlanetData planet, MomentTableData table, real camera_al
 }
 
 // Radiance of a surface that is no mirror along `direction`. `share`: of the sun that reaches it.
-vec3 surface_radiance(PlanetData planet, MomentTableData table, Surface surface, vec3 direction, PlaceSun sun, real share,
-                      SkyPast sky) {
+vec3 surface_radiance(PlanetData planet, MomentTableData table, Surface surface, vec3 direction, PlaceSun sun,
+                      real share, SkyPast sky, vec3 open) {
   Place place = surface.place;
   if (surface.what == kMeetsGround) {
     vec3 beam = sun_through_air(planet, 0.0, sun.mu) * share;
     vec3 to_camera = -direction;
     return ground_sends(surface.ground, place.up, sun.seen, to_camera, beam,
-                        moment_ground_irradiance(table, sun.mu) * sky.share + sky.more);
+                        open * sky.share + sky.more);
   }
   vec3 direct = sun_through_air(planet, sun.h, sun.mu) * share;
-  vec3 diffuse = sky_irradiance(table, place, surface.normal, sun) * sky.share + sky.more;
+  vec3 diffuse = open * sky.share + sky.more;
   vec3 irradiance = direct * max(dot(surface.normal, sun.seen), 0.0) + max(diffuse, vec3(0.0));
   if (surface.what == kMeetsBody && ball_of_body(surface.which).material == kSphereTranslucent) {
     vec3 even = direct * 0.25 + mean_sky_irradiance(table, sun) * sky.share;

@@ -8,6 +8,13 @@ const uint kLightSteps = 6u;  // along each
 const uint kOpenRows = 16u;   // altitudes of the light without terrain
 const uint kOpenSlices = 8u;  // distances up to which it is kept, beside the whole ray's
 
+// Texels of the light of caps of the sky (shaders/physics/sky_caps.glsl).
+const uint kCapAngles = 12u;  // from the sun
+const uint kCapTurns = 7u;    // around it
+const uint kCapSizes = 6u;
+const uint kCapRings = 12u;   // of what they are sums over
+const uint kCapSpokes = 16u;
+
 // How the air's other light is dimmed by terrain on a ray by tables.
 const uint kDimmedNone = 0u;
 const uint kDimmedFroxels = 1u;

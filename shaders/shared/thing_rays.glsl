@@ -14,6 +14,7 @@
 #include "shared/block_air.glsl"
 #endif
 #include "shared/thing_shares.glsl"
+#include "shared/sky_caps.glsl"
 #include "physics/things_light.glsl"
 #ifdef AIRLIGHT_CLOUDS
 #include "shared/cloud_surface.glsl"
@@ -71,14 +72,17 @@ Gathered gathered_along(vec3 direction, float spread, float bare, uint steps) {
     if (!surface.mirrors) {
       float share = sun_past_things(scene.planet, scene.camera.altitude, scene.sun, surface.place, hit.which);
       PlaceSun sun = sun_at(scene.planet, surface.place, scene.sun.direction);
-      SkyPast sky = sky_past_things(scene.planet, scene.moments, scene.camera.altitude, sun, surface);
+      vec3 open = open_irradiance(scene.moments, sun, surface);
+      float lit = 1.0;
 #ifdef AIRLIGHT_CLOUDS
-      float lit = sun_past_cloud(surface.place, sun);
-      sky = sky_past_cloud(sky, surface, sun, lit);
-      share *= lit;
+      lit = sun_past_cloud(surface.place, sun);
 #endif
-      sum = with_light(sum, through * scene.sun.irradiance *
-                                surface_radiance(scene.planet, scene.moments, surface, direction, sun, share, sky));
+      SkyPast sky = sky_past_things(scene.planet, scene.moments, scene.camera.altitude, sun, surface, open, lit);
+#ifdef AIRLIGHT_CLOUDS
+      sky = sky_past_cloud(sky, surface, sun, lit);
+#endif
+      sum = with_light(sum, through * scene.sun.irradiance * surface_radiance(scene.planet, scene.moments, surface,
+                                                                               direction, sun, share * lit, sky, open));
       break;
     }
     through *= surface.ground.albedo;

@@ -202,7 +202,7 @@ void look_for_leaks(double sun_azimuth, Shades& shades) {
     if (facing < 0.0 || hidden == 5) {
       ++shades.dark[hit.what];
       // Balls in the sun shine into shadows.
-      const auto sky = p.with_bodies({vec3(1.0), vec3(0.0)}, surface, sun, vec3(1.0), vec3(0.0));
+      const auto sky = p.with_bodies({vec3(1.0), vec3(0.0)}, surface, sun, vec3(1.0), vec3(0.0), vec3(1.0), 1.0);
       EXPECT_LT(found[k].radiance[1], 1e-4 + surface.ground.albedo.y / std::numbers::pi * sky.more.y)
           << hit.what << " at " << directions[k].elevation / kDegree << ", " << directions[k].azimuth / kDegree;
     } else if (hidden == 0 && facing > 0.1) {

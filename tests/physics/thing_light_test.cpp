@@ -73,6 +73,53 @@ TEST(ThingLight, ASphereHidesWhatItsRaysMeet) {
   }
 }
 
+// Cosines of the zenith angle and of the angle from the sun are those of the direction that was asked for.
+TEST(SkyCaps, PlacesAreInverse) {
+  Physics p;
+  const vec3 up(0.0, 1.0, 0.0);
+  for (const double elevation : {-0.1, 0.09, 0.8}) {
+    const vec3 sun(0.0, std::sin(elevation), -std::cos(elevation));
+    for (int i = 0; i < 500; ++i) {
+      const double mu = 2.0 * (i + 0.5) / 500.0 - 1.0;
+      const double turn = 2.4 * i;
+      const double level = std::sqrt(1.0 - mu * mu);
+      const vec3 d(level * std::sin(turn), mu, -level * std::cos(turn));
+      const auto axis = p.cap_axis(p.cap_place(d, up, sun));
+      EXPECT_NEAR(axis.c, physics::dot(d, sun), 1e-12) << i;
+      EXPECT_NEAR(p.zenith_cosine(axis, sun.y), mu, 1e-12) << i;
+      EXPECT_NEAR(p.azimuth_cosine(axis, sun.y), std::cos(turn), 1e-9) << i;
+    }
+  }
+}
+
+// Sums over rings about the sun: of the whole sphere, of its upper half's cosines, and of caps.
+TEST(SkyCaps, DirectionsCoverCaps) {
+  Physics p;
+  const double mu_sun = 0.3;
+  for (const double sine : {1.0, 0.64, 0.36}) {
+    const double rim = std::sqrt(2.0 - 2.0 * std::sqrt(1.0 - sine * sine));
+    for (const auto& [x, y] : {std::pair(0.0, 0.5), {0.3, 0.9}, {0.6, 0.2}, {0.9, 0.5}}) {
+      const auto axis = p.cap_axis({x, y});
+      double whole = 0.0;
+      double upper = 0.0;
+      double within = 0.0;
+      for (uint ring = 0; ring < physics::kCapRings; ++ring) {
+        const auto r = p.cap_ring(ring);
+        for (uint spoke = 0; spoke < physics::kCapSpokes; ++spoke) {
+          const auto d = p.cap_direction(r, spoke);
+          whole += r.weight;
+          upper += r.weight * std::max(p.zenith_cosine(d, mu_sun), 0.0);
+          within += r.weight * p.within_cap(rim, p.chord_between(d, axis), r.weight);
+        }
+      }
+      EXPECT_NEAR(whole, 4.0 * std::numbers::pi, 1e-12);
+      EXPECT_NEAR(upper, std::numbers::pi, 0.02 * std::numbers::pi);
+      const double truth = std::numbers::pi * rim * rim;  // 2 pi (1 - cos)
+      EXPECT_NEAR(within, truth, 0.15 * truth) << sine << " at " << x << ", " << y;
+    }
+  }
+}
+
 // Mean radiance over the disc that a matte sphere shows from afar, by a sum.
 TEST(SphereLight, IsThatOfThePhaseFarAway) {
   Physics p;
