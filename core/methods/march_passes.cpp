@@ -66,15 +66,15 @@ std::vector<KnownFailure> march_table_failures() {
       {"EJ",
        {{sun_elevation, -90, -2}},
        "late dusk: the table of multiple scattering has too few columns where light falls by a factor a degree; a "
-       "wider "
-       "render.multiple_scattering_lut mends it"},
+       "wider render.multiple_scattering_lut mends it"},
       {"EJ",
        {{sun_elevation, -90, 0}, {planet_radius, 1e4, 1e9}},
        "a planet so large that dusk passes within a degree: too few of the table's columns stand in it"},
       {"G",
        {{optical_depth, 0.005, 10}, {light_kept, 0.99, 1}},
        "a white ground under air that absorbs nothing: multiple scattering takes the light as equal in all directions "
-       "and heights, so that the ground sends up more than reaches it"}};
+       "and heights, so that the ground sends up more than reaches it"},
+      dark_air_over_waves()};
 }
 
 std::vector<KnownFailure> march_failures() {

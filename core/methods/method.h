@@ -30,8 +30,10 @@ enum class Quantity {
   table_size,     // greater side of the tables, texels
   light_kept,     // 1: neither air nor ground absorbs; else the lesser of ground albedo and the air's own albedo
   refractivity,   // refractive index less 1, at the ground
+  waves,          // wind over a planet that is all water, m/s
+  mirrors,        // number of mirror spheres
 };
-inline constexpr std::size_t kQuantities = 10;
+inline constexpr std::size_t kQuantities = 12;
 
 struct Limit {
   Quantity quantity = Quantity::steps;
@@ -42,7 +44,7 @@ struct Limit {
 // A region in which the method is known to fail (all limits hold at once), and why. A failure that `airlight stability`
 // finds must be listed here, excluded by the claim below, or mended.
 struct KnownFailure {
-  std::string_view symptoms;  // letters of core/stability/judge.h
+  std::string_view symptoms;  // letters of core/stability/judge.h; empty: of scenes that STABILITY.md does not have
   std::vector<Limit> where;
   std::string_view cause;
 };

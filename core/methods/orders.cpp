@@ -324,7 +324,8 @@ SkyMethod orders_method() {
        {{Quantity::asymmetry, -1, -0.95}, {Quantity::optical_depth, 0.05, 1e9}, {Quantity::light_kept, 0.99, 1}},
        "haze that absorbs nothing and scatters sharply back, over a white ground: harmonics of degree 2 do not hold "
        "what goes to and fro between the two"},
-      rounding_at_the_horizon()};
+      rounding_at_the_horizon(),
+      dark_air_over_waves()};
   method.converged = {"",
                       {{"steps", 1024},
                        {"transmittance_lut", TableSize{512, 128}},

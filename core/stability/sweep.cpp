@@ -162,11 +162,18 @@ bool Place::given(Quantity q) const {
 }
 
 std::string_view quantity_name(Quantity q) {
-  constexpr std::array<std::string_view, kQuantities> kNames{
-      "sun elevation, degrees",   "camera altitude, km", "view above the true horizon, degrees",
-      "vertical optical depth",   "asymmetry g",         "planet radius, km",
-      "steps along the view ray", "table size, texels",  "share of light that is kept",
-      "n - 1 at the ground"};
+  constexpr std::array<std::string_view, kQuantities> kNames{"sun elevation, degrees",
+                                                             "camera altitude, km",
+                                                             "view above the true horizon, degrees",
+                                                             "vertical optical depth",
+                                                             "asymmetry g",
+                                                             "planet radius, km",
+                                                             "steps along the view ray",
+                                                             "table size, texels",
+                                                             "share of light that is kept",
+                                                             "n - 1 at the ground",
+                                                             "wind over an ocean, m/s",
+                                                             "mirror spheres"};
   return kNames[static_cast<std::size_t>(q)];
 }
 

@@ -214,7 +214,7 @@ TEST(StabilityMap, EachKnownFailureExplainsACell) {
       map += name == method.info.name || name.rfind(std::string(method.info.name) + " ", 0) == 0 ? text : "";
     }
     for (const KnownFailure& known : method.validity.known_failures) {
-      EXPECT_NE(map.find("| " + std::string(known.cause) + " |"), std::string::npos)
+      EXPECT_TRUE(known.symptoms.empty() || map.find("| " + std::string(known.cause) + " |") != std::string::npos)
           << method.info.name << ": " << known.cause;
     }
   }
