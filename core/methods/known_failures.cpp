@@ -112,8 +112,6 @@ double value_of(Quantity quantity, const SkyMethod& method, const Part& part) {
       return part.scene.ground && part.scene.ground->ocean && part.scene.ground->ocean->mask_map.empty()
                  ? part.scene.ground->ocean->wind
                  : kUnknown;
-    case Quantity::mirrors:
-      return static_cast<double>(std::ranges::count(part.scene.spheres, SphereMaterial::mirror, &Sphere::material));
     case Quantity::view:
       break;  // a range of the picture, not a number
   }

@@ -31,9 +31,8 @@ enum class Quantity {
   light_kept,     // 1: neither air nor ground absorbs; else the lesser of ground albedo and the air's own albedo
   refractivity,   // refractive index less 1, at the ground
   waves,          // wind over a planet that is all water, m/s
-  mirrors,        // number of mirror spheres
 };
-inline constexpr std::size_t kQuantities = 12;
+inline constexpr std::size_t kQuantities = 11;
 
 struct Limit {
   Quantity quantity = Quantity::steps;

@@ -172,8 +172,7 @@ std::string_view quantity_name(Quantity q) {
                                                              "table size, texels",
                                                              "share of light that is kept",
                                                              "n - 1 at the ground",
-                                                             "wind over an ocean, m/s",
-                                                             "mirror spheres"};
+                                                             "wind over an ocean, m/s"};
   return kNames[static_cast<std::size_t>(q)];
 }
 

@@ -158,9 +158,9 @@ SkyMethod path_trace_method() {
   method.info.knows_polarisers = true;
   method.info.knows_clouds = true;
   method.info.bends_light = true;
-  method.validity.leaves_out = "polarisation by other media than molecules, the sun's disc in the picture";
-  method.validity.known_failures = {
-      {"", {{Quantity::mirrors, 1, 1e3}}, "mirrors: things close to them lack the sunlight that they throw there"}};
+  method.validity.leaves_out =
+      "polarisation by other media than molecules, the sun's disc in the picture, sunlight that mirrors throw into the "
+      "air, and among clouds on things";
   method.sweep = {with_samples("32", 32), with_samples("128", 128), with_samples("512", 512)};
   method.render_on_host = render;
   return method;

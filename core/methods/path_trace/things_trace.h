@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <vector>
 
 #include "core/methods/path_trace/bent_way.h"
 #include "core/methods/path_trace/terrain_trace.h"
@@ -68,6 +69,18 @@ class TracedThings {
   bool mirrors(ThingNumber thing) const;
   // For a path that meets the thing along `direction` (unit).
   SurfaceShares shares(physics::vec3 normal, physics::vec3 direction, ThingNumber thing) const;
+
+  // Sunlight that a mirror sphere throws on a place.
+  struct Thrown {
+    ThingNumber mirror = kNoThing;
+    physics::vec3 from{};       // the mirror's point, from the planet's centre
+    physics::vec3 direction{};  // unit, from the place to that point
+    double distance = 0.0;      // km
+    double spread = 0.0;        // irradiance across the beam at the place over the same at the mirror
+  };
+  // By all mirrors whose beam nothing hides from a place on `left`; other things may keep the sun from the mirror.
+  // `sun`: toward the sun as it is seen there, unit.
+  std::vector<Thrown> thrown_on(physics::vec3 place, physics::vec3 sun, ThingNumber left) const;
 
   // The place on the terrain's map, in columns and rows.
   physics::vec2 on_map(physics::vec3 place) const { return terrain_->on_map(place); }
