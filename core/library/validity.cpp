@@ -7,6 +7,7 @@
 #include "core/methods/ready.h"
 #include "core/scene/angle.h"
 #include "core/scene/curve_reader.h"
+#include "core/scene/thing_kinds.h"
 
 namespace airlight {
 namespace {
@@ -26,7 +27,7 @@ std::string methods_that_hold(const Stage& stage) {
   const Scene& scene = stage.scene();
   return joined_of(methods(), [&](const SkyMethod& method) {
     const Scene rendered = scene.render.method == method.info.name ? scene : with_quality(scene, method, {});
-    const bool holds = exceeded_limits(method.validity, stage).empty() &&
+    const bool holds = knows_things_of(method.info, scene) && exceeded_limits(method.validity, stage).empty() &&
                        known_failures_of(method, ready(rendered, stage).whole()).empty();
     return holds ? method.info.name : std::string_view();
   });

@@ -86,6 +86,8 @@ TEST(Validity, AFailureAmongThingsIsTold) {
   EXPECT_EQ(known_failure_warning(ready(scene)), "");
   scene.ground.emplace().ocean.emplace();
   EXPECT_EQ(known_failure_warning(ready(scene)).rfind("method orders is known to be wrong here: an ocean", 0), 0U);
+  scene.spheres.emplace_back();  // which not every method knows
+  EXPECT_TRUE(known_failure_warning(ready(scene)).ends_with("; methods that hold: path-trace"));
   scene.sun.elevation = radians_from_degrees(45.0);
   EXPECT_EQ(known_failure_warning(ready(scene)), "");
 }
