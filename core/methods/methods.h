@@ -5,7 +5,7 @@
 
 namespace airlight {
 
-// A failure shared by several methods.
+// Failures shared by several methods.
 inline KnownFailure rounding_at_the_horizon() {
   return {"R",
           {{Quantity::view, -0.003, 0.003}},

@@ -44,7 +44,8 @@ vec4 light_along(AboutSun direction) {
   SkyFactors air = scene_air_factors(ray, steps);
   vec3 sky = phased(air, phases(seen_cosine(scene.sun, ray.mu, ray.nu))) + scene_ground_light(ray, air.transmittance);
   vec3 mean = mean_sky_irradiance(scene.moments, sun) / kPi;
-  return vec4(sky / max(mean, vec3(1e-30)), max(mu, 0.0));
+  const float kMost = 6e4;  // that 16 bits hold
+  return vec4(min(sky / max(mean, vec3(1e-30)), vec3(kMost)), max(mu, 0.0));
 }
 
 void store_cap(uint texel) {
