@@ -171,7 +171,16 @@ struct LitCloud {
 // The light of standing_clouds(), none of which begins below the top of the one before.
 std::vector<LitCloud> add_cloud_light(Plan& plan, const Part& part, const Light& light);
 
-// A picture of things in which clouds are yet to come.
+// Whether the passes over things go block by block, and then write in any colours.
+bool lists_blocks(const Part& part, const View& view);
+
+// How a picture shows things.
+struct ThingsShown {
+  std::array<Rgb, 3> colours = kAsTheyAre;  // of the part's channels in the target; others only where lists_blocks()
+  const LitCloud* under = nullptr;          // the highest of clouds, which are yet to come into the picture
+};
+
+// What clouds ask of such a picture.
 struct ThingsUnderCloud {
   std::vector<Binding> air;  // the air among them (shaders/shared/thing_tables.glsl)
   std::vector<Specialization> constants;
@@ -179,17 +188,9 @@ struct ThingsUnderCloud {
   BufferId seen = {};  // what pixels show of things (shaders/shared/things_seen.glsl)
 };
 
-// Whether the passes over things go block by block, and then write in any colours.
-bool lists_blocks(const Part& part, const View& view);
-
-// The passes over things, the ground and the air about them. `colours`: of the part's channels in the target; other
-// than kAsTheyAre only where lists_blocks().
-void add_things_sky(Plan& plan, const Part& part, const View& view, const SkyTarget& target, const Light& light,
-                    const std::array<Rgb, 3>& colours = kAsTheyAre);
-
-// The same with surfaces under clouds, of which `cloud` is the highest.
-ThingsUnderCloud add_things_under_clouds(Plan& plan, const Part& part, const View& view, const SkyTarget& target,
-                                         const Light& light, const LitCloud& cloud);
+// The passes over things, the ground and the air about them.
+ThingsUnderCloud add_things_sky(Plan& plan, const Part& part, const View& view, const SkyTarget& target,
+                                const Light& light, const ThingsShown& shown = {});
 
 // The planes of its layers.
 BufferId add_things_layers(Plan& plan, const Part& part, const View& view, const Light& light);

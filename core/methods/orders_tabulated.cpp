@@ -92,7 +92,7 @@ std::optional<SkyPasses> add_coloured_things(Plan& plan, const Stage& stage, con
   const SkyTarget target = add_sky_target(plan, part.scene, view, is_blank ? canvas : std::nullopt);
   begin_part(plan, part, tile_of(part.scene, view));
   const Light light = add_light(plan, part);
-  add_things_sky(plan, part, view, target, light, part.colours);
+  add_things_sky(plan, part, view, target, light, {.colours = part.colours});
   plan.end_scene();
   return SkyPasses{target.radiance, {light.transmittance}, light.more()};
 }

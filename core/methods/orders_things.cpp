@@ -316,17 +316,18 @@ class RaysByBlocks {
  public:
   // `pass`: over all pixels. `none`: a buffer of at least 8 words, bound where a pass reads none.
   RaysByBlocks(Plan& plan, PassDesc pass, const ThingPass& found, const Blocks& blocks, std::uint32_t count,
-               bool terrain, BufferId none, const std::array<Rgb, 3>& colours)
+               bool terrain, bool clouds, BufferId none, const std::array<Rgb, 3>& colours)
       : plan_(plan),
         pass_(std::move(pass)),
         found_(found),
         blocks_(blocks),
         terrain_(terrain),
+        under_(clouds ? "_clouds" : ""),
         none_(none),
         colours_(colours) {
-    constexpr std::size_t kQuads = std::size_t{16} * 4 * sizeof(float);  // QuadSeen, of a block
+    const std::size_t quads = std::size_t{16} * (clouds ? 5 : 4) * sizeof(float);  // QuadSeen, of a block
     constexpr std::size_t kUnits = std::size_t{4} * physics::kThingBlock * physics::kThingBlock;  // of a block at most
-    quads_ = plan.add_buffer({.name = "thing_quads", .bytes = kQuads * count, .zeroed = false});
+    quads_ = plan.add_buffer({.name = "thing_quads", .bytes = quads * count, .zeroed = false});
     units_ = plan.add_buffer({.name = "thing_units", .bytes = 8 * sizeof(std::uint32_t)});
     list_ = plan.add_buffer({.name = "thing_list", .bytes = sizeof(std::uint32_t) * kUnits * count, .zeroed = false});
   }
@@ -352,6 +353,14 @@ class RaysByBlocks {
     }
   }
 
+  // What the pass writes, its part of blocks of a kind.
+  std::vector<Binding> own_writes(std::uint32_t tiles) const {
+    std::vector<Binding> writes;
+    std::ranges::transform(pass_.writes, std::back_inserter(writes),
+                           [&](const Binding& write) { return own_part(write, tiles); });
+    return writes;
+  }
+
   // What blocks of a kind have of it: no block is of two.
   static Binding own_part(Binding whole, std::uint32_t tiles) {
     whole.parts = 1U << tiles;
@@ -363,11 +372,12 @@ class RaysByBlocks {
   void add_rays(const char* name, std::uint32_t tiles, bool listed, double cost) {
     PassDesc one = pass_;
     one.name = name;
-    one.shader = "thing_rays";
+    one.shader = "thing_rays" + under_;
     one.groups = listed ? GroupCount{units_, 16U * (tiles - physics::kTilesOfThings)} : groups_of_blocks(tiles);
     one.reads.push_back(own_part({"rays_list", listed ? list_ : none_}, tiles));
     one.reads.push_back(own_part({"units", listed ? units_ : none_}, tiles));
-    one.writes = {own_part(pass_.writes.front(), tiles), own_part({"quads_out", quads_}, tiles)};
+    one.writes = own_writes(tiles);
+    one.writes.push_back(own_part({"quads_out", quads_}, tiles));
     one.push_constants.push_back(listed ? 1 : 0);
     push_colours(one.push_constants, colours_);
     specialize(one.specialization, tiles);
@@ -383,11 +393,13 @@ class RaysByBlocks {
     specialize(constants, tiles);
     std::vector<std::uint32_t> push{pass_.push_constants[0], pass_.push_constants[1]};
     push_colours(push, colours_);
+    std::vector<Binding> writes = own_writes(tiles);
+    writes.push_back(own_part({"units_out", units_}, tiles));
+    writes.push_back(own_part({"rays_list_out", list_}, tiles));
     plan_.add_pass({.name = name,
-                    .shader = "thing_between",
+                    .shader = "thing_between" + under_,
                     .reads = std::move(reads),
-                    .writes = {own_part({"units_out", units_}, tiles), own_part({"rays_list_out", list_}, tiles),
-                               own_part(pass_.writes.front(), tiles)},
+                    .writes = std::move(writes),
                     .grid = pass_.grid,
                     .push_constants = std::move(push),
                     .specialization = std::move(constants),
@@ -400,6 +412,7 @@ class RaysByBlocks {
   const ThingPass& found_;
   Blocks blocks_;
   bool terrain_;
+  std::string under_;  // what shaders' names end with
   BufferId none_;
   std::array<Rgb, 3> colours_;
   BufferId quads_;
@@ -413,25 +426,39 @@ bool lists_blocks(const Part& part, const View& view) {
   return by_tables(part, view) && (part.scene.terrain ? !has_cuts(part, view) : view.directions.empty());
 }
 
-void add_things_sky(Plan& plan, const Part& part, const View& view, const SkyTarget& target, const Light& light,
-                    const std::array<Rgb, 3>& colours) {
-  ThingPass found = pass_of(plan, part, view, light, by_tables(part, view), false);
+ThingsUnderCloud add_things_sky(Plan& plan, const Part& part, const View& view, const SkyTarget& target,
+                                const Light& light, const ThingsShown& shown) {
+  constexpr std::size_t kSeen = 5 * sizeof(float);  // ThingsSeen
+  const bool clouds = shown.under != nullptr;
+  const bool tables = clouds ? stokes_of(part, view) == physics::kStokesNone : by_tables(part, view);
+  ThingPass found = pass_of(plan, part, view, light, tables, clouds);
   found.reads.push_back({"directions", target.directions});
   found.constants.push_back({"kProjection", target.projection});
   PassDesc pass{.name = "sky",
-                .shader = found.tables ? "sky_things_tables" : "sky_things",
+                .shader = tables   ? "sky_things_tables"
+                          : clouds ? "sky_things_march"
+                                   : "sky_things",
                 .reads = found.reads,
                 .writes = {{"radiance_out", target.radiance}},
                 .grid = target.grid,
                 .push_constants = {target.grid.width, target.grid.height, found.steps},
                 .specialization = found.constants,
-                .cost = found.tables ? 40.0 : 3.0 * ray_cost(found.steps)};
-  const bool terrain = part.scene.terrain.has_value();
-  if (!lists_blocks(part, view)) {
-    assert(colours == kAsTheyAre);
-    plan.add_pass(std::move(pass));
-    return;
+                .cost = tables ? 40.0 : 3.0 * ray_cost(found.steps)};
+  if (clouds) {
+    const LitCloud& cloud = *shown.under;
+    pass.shader += "_clouds";
+    pass.reads.insert(pass.reads.end(), cloud.shade.begin(), cloud.shade.end());
+    pass.specialization.insert(pass.specialization.end(), cloud.constants.begin(), cloud.constants.end());
+    found.air.seen = plan.add_buffer(
+        {.name = "things_seen", .bytes = kSeen * target.grid.width * target.grid.height, .zeroed = false});
+    pass.writes.push_back({"seen_out", found.air.seen});
   }
+  if (!lists_blocks(part, view)) {
+    assert(shown.colours == kAsTheyAre);
+    plan.add_pass(std::move(pass));
+    return found.air;
+  }
+  const bool terrain = part.scene.terrain.has_value();
   // Without terrain the air is cheaper to look up than to find between a block's corners.
   const BufferId none = plan.add_buffer(filled_buffer("no_blocks", bytes_of(std::vector<float>(8))));
   const Blocks blocks =
@@ -440,30 +467,7 @@ void add_things_sky(Plan& plan, const Part& part, const View& view, const SkyTar
   std::vector<Specialization> between = block_constants(part, found.things);
   between.push_back({"kEdges", physics::kEdgesFound});
   const std::uint32_t count = count_of_blocks(grid_of_blocks(part.scene, view));
-  RaysByBlocks(plan, std::move(pass), found, blocks, count, terrain, none, colours).add(between);
-}
-
-ThingsUnderCloud add_things_under_clouds(Plan& plan, const Part& part, const View& view, const SkyTarget& target,
-                                         const Light& light, const LitCloud& cloud) {
-  constexpr std::size_t kSeen = 5;  // floats of ThingsSeen
-  const bool tables = stokes_of(part, view) == physics::kStokesNone;
-  ThingPass found = pass_of(plan, part, view, light, tables, true);
-  found.reads.insert(found.reads.end(), cloud.shade.begin(), cloud.shade.end());
-  found.constants.insert(found.constants.end(), cloud.constants.begin(), cloud.constants.end());
-  found.reads.push_back({"directions", target.directions});
-  found.constants.push_back({"kProjection", target.projection});
-  const BufferId seen = plan.add_buffer({.name = "things_seen",
-                                         .bytes = kSeen * sizeof(float) * target.grid.width * target.grid.height,
-                                         .zeroed = false});
-  plan.add_pass({.name = "sky",
-                 .shader = tables ? "sky_things_tables_clouds" : "sky_things_march_clouds",
-                 .reads = std::move(found.reads),
-                 .writes = {{"radiance_out", target.radiance}, {"seen_out", seen}},
-                 .grid = target.grid,
-                 .push_constants = {target.grid.width, target.grid.height, found.steps},
-                 .specialization = std::move(found.constants),
-                 .cost = tables ? 50.0 : 3.0 * ray_cost(found.steps)});
-  found.air.seen = seen;
+  RaysByBlocks(plan, std::move(pass), found, blocks, count, terrain, clouds, none, shown.colours).add(between);
   return found.air;
 }
 

@@ -3,9 +3,9 @@
 #include "shared/thing_list.glsl"
 
 layout(local_size_x = 64) in;
-layout(scalar, set = 0, binding = 34) buffer Quads { QuadSeen values[]; } quads_out;
-layout(scalar, set = 0, binding = 35) readonly buffer List { uint values[]; } rays_list;
-layout(scalar, set = 0, binding = 36) readonly buffer Units { uint values[]; } units;
+layout(scalar, set = 0, binding = 47) buffer Quads { QuadSeen values[]; } quads_out;
+layout(scalar, set = 0, binding = 48) readonly buffer List { uint values[]; } rays_list;
+layout(scalar, set = 0, binding = 49) readonly buffer Units { uint values[]; } units;
 
 shared PixelSeen seen[kThreads];
 
@@ -80,7 +80,11 @@ void main() {
   }
   if (kTiles != kTilesOfSky && round == 0u) {
     if (asked.there) {
+#ifdef AIRLIGHT_CLOUDS
+      quads_out.values[asked.quad] = QuadSeen(one.light.i, met, one.things.distance_);
+#else
       quads_out.values[asked.quad] = QuadSeen(one.light.i, met);
+#endif
     }
     return;
   }

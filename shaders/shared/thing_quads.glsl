@@ -22,7 +22,15 @@ uvec2 place_in_block(uint quad, uint which, uvec2 last) {
 struct QuadSeen {
   vec3 light;
   uint met;
+#ifdef AIRLIGHT_CLOUDS
+  float distance_;  // of the thing that it meets, km; 0: none
+#endif
 };
+#ifdef AIRLIGHT_CLOUDS
+float distance_of(QuadSeen quad) { return quad.distance_; }
+#else
+float distance_of(QuadSeen quad) { return 0.0; }
+#endif
 
 #include "shared/thing_tiles.glsl"
 layout(scalar, set = 0, binding = 33) readonly buffer Tiles { uint values[]; } tiles;  // thing_listing.glsl

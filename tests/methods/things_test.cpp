@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "core/methods/method.h"
 #include "core/scene/preset.h"
 #include "core/things/ground.h"
+#include "tests/methods/cloud_scene.h"
 #include "tests/methods/listed_rays.h"
 #include "tests/methods/render_fixture.h"
 #include "tests/methods/spectral_scene.h"
@@ -314,22 +316,23 @@ bool stands_on_a_ray(int x, int y) {
   return kOnRay[static_cast<std::size_t>(x) % 8] && kOnRay[static_cast<std::size_t>(y) % 8];
 }
 
-// How far pixels of a picture are off the same directions listed: of those that stand on rays and of all others. Pixels
+// How far pixels of a picture are off the same pixels' own rays: of those that stand on rays and of all others. Pixels
 // whose neighbours differ are left out; of those with an edge, which are means of several rays, some remain.
-struct OffListedRays {
+struct OffOwnRays {
   std::vector<double> on_rays;
   std::vector<double> between;
 };
 
-OffListedRays off_listed_rays(Scene scene) {
+// `own_rays`: three floats a pixel.
+OffOwnRays off_own_rays(Scene scene, const std::function<std::vector<float>(const Scene&)>& own_rays) {
   scene.render.parameters.insert_or_assign("tabulate", std::string("always"));
   scene.image = {101, 43};
   scene.camera.vertical_fov = 14.0 * kDegree;
-  OffListedRays off;
+  OffOwnRays off;
   for (const double azimuth : {0.0, 80.0, 160.0}) {
     scene.camera.azimuth = azimuth * kDegree;
     const RadianceImage picture = render_now(scene).radiance;
-    const std::vector<float> rays = listed_rays_of(scene);
+    const std::vector<float> rays = own_rays(scene);
     for (int k = 0; k < picture.width * picture.height; ++k) {
       const int x = k % picture.width;
       const int y = k / picture.width;
@@ -347,11 +350,15 @@ OffListedRays off_listed_rays(Scene scene) {
   return off;
 }
 
+OffOwnRays off_listed_rays(const Scene& scene) {
+  return off_own_rays(scene, listed_rays_of);
+}
+
 double at_share(const std::vector<double>& sorted, double share) {
   return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size()))];
 }
 
-void print_off(const char* what, const OffListedRays& off) {
+void print_off(const char* what, const OffOwnRays& off) {
   for (const auto& [name, of] : {std::pair{"on rays", &off.on_rays}, std::pair{"between", &off.between}}) {
     std::printf("%s, pixels %s: 90 %% within %.2g of each ray's, 95 %% %.2g, 97 %% %.2g\n", what, name,
                 at_share(*of, 0.9), at_share(*of, 0.95), at_share(*of, 0.97));
@@ -360,7 +367,7 @@ void print_off(const char* what, const OffListedRays& off) {
 
 TEST(Things, BlocksKnowTheAirOfTheirRays) {
   for (const unsigned int things : {kTerrain, kTerrain | kOcean}) {
-    const OffListedRays off = off_listed_rays(shore(things));
+    const OffOwnRays off = off_listed_rays(shore(things));
     print_off("air by blocks", off);
     for (const std::vector<double>& of : {off.on_rays, off.between}) {
       EXPECT_LT(at_share(of, 0.9), 0.003) << things;
@@ -373,7 +380,7 @@ TEST(Things, BlocksKnowTheAirOfTheirRays) {
 // the sky.
 TEST(Things, BlocksAsideOfBodiesAreTheirRays) {
   for (const unsigned int things : {kSpheres, kSpheres | kOcean}) {
-    const OffListedRays off = off_listed_rays(shore(things));
+    const OffOwnRays off = off_listed_rays(shore(things));
     print_off("aside of bodies", off);
     EXPECT_LT(at_share(off.on_rays, 0.9), 1e-5) << things;
     EXPECT_LT(at_share(off.on_rays, 0.97), 1e-3) << things;
@@ -390,7 +397,7 @@ TEST(Things, OfThreeWavelengthsAreWrittenInColours) {
   scene.sun.disc.visible = false;
   scene.bloom.enabled = false;
   scene.spectra->wavelengths = 3;
-  const OffListedRays off = off_listed_rays(scene);
+  const OffOwnRays off = off_listed_rays(scene);
   print_off("three wavelengths", off);
   EXPECT_LT(at_share(off.on_rays, 0.9), 1e-5);
   EXPECT_LT(at_share(off.between, 0.9), 1.5e-3);
@@ -398,6 +405,32 @@ TEST(Things, OfThreeWavelengthsAreWrittenInColours) {
     scene.spectra->wavelengths = wavelengths;
     const Plan plan = plan_for(scene, {});
     EXPECT_EQ(std::ranges::count(plan.passes(), "spectral_sum", &PassDesc::shader), sums);
+  }
+}
+
+// Under clouds, with shadows of a march, each pixel has rays of its own.
+TEST(Things, BlocksUnderCloudsAreTheirRays) {
+  const auto own_rays = [](const Scene& scene) {
+    const RadianceImage picture = render_now(with_shadows(scene, "march")).radiance;
+    std::vector<float> rays;
+    for (int k = 0; k < picture.width * picture.height; ++k) {
+      for (const std::size_t c : {0U, 1U, 2U}) {
+        rays.push_back(static_cast<float>(channel_of(picture, k % picture.width, k / picture.width, c)));
+      }
+    }
+    return rays;
+  };
+  for (const unsigned int things : {kTerrain | kOcean, kSpheres}) {
+    Scene scene = with_shadows(shore(things), "exact");
+    std::erase_if(scene.spheres, [](const Sphere& sphere) { return sphere.material == SphereMaterial::mirror; });
+    scene.clouds = under_level_cloud(1.0, 0.5).clouds;
+    const OffOwnRays off = off_own_rays(scene, own_rays);
+    print_off("under clouds", off);
+    EXPECT_LT(at_share(off.on_rays, 0.95), 1e-3) << things;
+    EXPECT_LT(at_share(off.between, 0.9), 1.5e-3) << things;
+    EXPECT_LT(at_share(off.between, 0.95), 4e-3) << things;
+    const Plan plan = plan_for(scene, {});
+    EXPECT_GT(std::ranges::count(plan.passes(), "thing_rays_clouds", &PassDesc::shader), 0) << things;
   }
 }
 
