@@ -212,7 +212,7 @@ SkyPasses add_orders(Plan& plan, const Part& part, const View& view) {
       return passes;
     }
     const std::vector<orders::LitCloud> clouds = orders::add_cloud_light(plan, part, light);
-    const auto things = orders::add_things_sky(plan, part, view, target, light, {.under = &clouds.back()});
+    const auto things = orders::add_things_sky(plan, part, view, target, light, {.under = clouds});
     orders::add_clouds(plan, part, view, target, light, clouds, &things);
     return passes;
   }

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <iterator>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -73,6 +75,7 @@ struct Lattice {
 
 // What the passes over a picture's clouds, its layers or the air before things have in common.
 struct CloudPicture {
+  std::string name = "clouds";
   std::string shader = {};
   std::optional<Lattice> lattice = {};
   std::vector<Binding> reads;
@@ -91,6 +94,29 @@ bool has_lattice(const Scene& scene, const SkyTarget& target) {
   return scene.render.get<std::string>("cloud_resolution") == "half" &&
          target.projection != physics::kProjectionListed && target.projection != physics::kProjectionCube &&
          target.projection != physics::kProjectionOctahedral;
+}
+
+bool is_of_volume(const Binding& read) {
+  return read.name == "volume_lut" || read.name == "extinction_lut";
+}
+
+// Texels of the map of clouds that mirrors show, each way: as many as the largest ball has pixels across. In the middle
+// of a ball two of them are a pixel; with half as many, edges of clouds would be stairs near the horizon.
+std::uint32_t map_side(const Scene& scene, const View& view) {
+  constexpr double kListed = 256.0;
+  constexpr double kFewest = 64.0;
+  constexpr double kMost = 512.0;
+  const Camera& camera = scene.camera;
+  const double pixels = camera.projection == Projection::perspective
+                            ? scene.image.height / (2.0 * std::tan(0.5 * camera.vertical_fov))
+                            : scene.image.width / (2.0 * std::numbers::pi);  // a radian
+  double widest = 0.0;
+  for (const Sphere& sphere : scene.spheres) {
+    const bool mirror = sphere.material == SphereMaterial::mirror;
+    widest = std::max(widest, mirror ? 2.0 * std::asin(std::min(sphere.radius / sphere.distance, 1.0)) : 0.0);
+  }
+  const double side = view.directions.empty() ? widest * pixels : kListed;
+  return static_cast<std::uint32_t>(std::clamp(side, kFewest, kMost));
 }
 
 // Without the output, which the caller adds. `projection`: kProjection.
@@ -112,8 +138,7 @@ CloudPicture picture_of_clouds(Plan& plan, const Part& part, const View& view, s
   }
   std::vector<Binding> clear = highest.shade;
   clear.push_back(picture.reads.front());
-  std::ranges::copy_if(air, std::back_inserter(clear),
-                       [](const Binding& read) { return read.name == "volume_lut" || read.name == "extinction_lut"; });
+  std::ranges::copy_if(air, std::back_inserter(clear), is_of_volume);
   clear.push_back({"moments_lut", light.moments});
   const bool froxels = by_froxels(part, view, clouds);
   picture.reads.insert(picture.reads.end(), air.begin(), air.end());
@@ -242,7 +267,7 @@ void add_cloud_pass(Plan& plan, CloudPicture picture, const LitCloud& cloud, con
     reads.push_back({"cloud_list", picture.lattice->list});
     groups = {picture.lattice->list, 0};
   }
-  plan.add_pass({.name = "clouds",
+  plan.add_pass({.name = std::move(picture.name),
                  .shader = std::move(picture.shader),
                  .reads = joined(std::move(reads), picture.inputs),
                  .writes = joined(std::move(picture.output), picture.more_output),
@@ -311,6 +336,29 @@ void add_clouds(Plan& plan, const Part& part, const View& view, const SkyTarget&
   picture.grid = target.grid;
   picture.push = {target.grid.width, target.grid.height, target.vectors};
   add_cloud_passes(plan, part, picture, clouds);
+}
+
+BufferId add_cloud_map(Plan& plan, const Part& part, const View& view, const Light& light,
+                       const std::vector<LitCloud>& clouds, const ThingsUnderCloud& air) {
+  constexpr std::size_t kRayBytes = 8 * sizeof(float);  // CloudMapRay
+  const std::uint32_t side = map_side(part.scene, view);
+  const BufferId map = plan.add_buffer({.name = "cloud_map", .bytes = kRayBytes * side * side, .zeroed = false});
+  CloudPicture picture{.name = "cloud_map",
+                       .shader = "cloud_map",
+                       .reads = {{"transmittance_lut", light.transmittance},
+                                 {"cloud_shafts_lut", clouds.back().sources},
+                                 {"moments_lut", light.moments}},
+                       .output = {{"cloud_map", map}},
+                       .constants = sunlight_specialization(plan, part.air, light.transmittance),
+                       .grid = {side, side, 1},
+                       .push = {side, side, 1}};
+  std::ranges::copy_if(air.air, std::back_inserter(picture.reads), is_of_volume);
+  add_moment_constants(picture.constants, settings_of(part));
+  add_volume_constants(picture.constants, part.scene, air.table);
+  picture.constants.push_back({"kProjection", projection_code(part.scene.camera.projection)});
+  picture.constants.push_back({"kAirByRay", 1});
+  add_cloud_passes(plan, part, picture, clouds);
+  return map;
 }
 
 void add_clouds_to_layers(Plan& plan, const Part& part, const View& view, const Light& light, BufferId planes) {

@@ -58,9 +58,10 @@ std::vector<Misfit> cloud_misfits(const Scene& scene) {
         "renders clouds for a camera in the air, below planet.atmosphere_height_km; lower the camera");
   }
   const auto mirror = std::ranges::find(scene.spheres, SphereMaterial::mirror, &Sphere::material);
-  if (mirror != scene.spheres.end()) {
+  if (!mirrors_are_near(scene)) {
     add("/scene/spheres/" + std::to_string(mirror - scene.spheres.begin()) + "/material",
-        "renders no clouds in mirrors; choose another material, remove the clouds");
+        "renders clouds in mirrors within 2 km of the camera and 20 m of its altitude; move the mirror, choose another "
+        "material, remove the clouds");
   }
   if (scene.camera.polariser && has_things(scene)) {
     add("/camera/polariser",

@@ -177,7 +177,7 @@ bool lists_blocks(const Part& part, const View& view);
 // How a picture shows things.
 struct ThingsShown {
   std::array<Rgb, 3> colours = kAsTheyAre;  // of the part's channels in the target; others only where lists_blocks()
-  const LitCloud* under = nullptr;          // the highest of clouds, which are yet to come into the picture
+  std::vector<LitCloud> under = {};         // clouds that are yet to come into the picture
 };
 
 // What clouds ask of such a picture.
@@ -191,6 +191,9 @@ struct ThingsUnderCloud {
 // The passes over things, the ground and the air about them.
 ThingsUnderCloud add_things_sky(Plan& plan, const Part& part, const View& view, const SkyTarget& target,
                                 const Light& light, const ThingsShown& shown = {});
+
+// Whether mirrors stand so near that what they show is what the camera sees in that direction.
+bool mirrors_are_near(const Scene& scene);
 
 // The planes of its layers.
 BufferId add_things_layers(Plan& plan, const Part& part, const View& view, const Light& light);
@@ -209,6 +212,11 @@ void refuse_around_clouds(const Scene& scene, bool no_picture);
 // `cloud_transmittance`: what all clouds leave of a beam along each pixel's ray.
 void add_clouds(Plan& plan, const Part& part, const View& view, const SkyTarget& target, const Light& light,
                 const std::vector<LitCloud>& clouds, const ThingsUnderCloud* things);
+
+// What they make of the light behind them in all directions from the camera, for mirrors
+// (shaders/shared/cloud_map.glsl). `air`: of the picture of things.
+BufferId add_cloud_map(Plan& plan, const Part& part, const View& view, const Light& light,
+                       const std::vector<LitCloud>& clouds, const ThingsUnderCloud& air);
 
 // Likewise into the planes of layers (add_layer_planes()), those of the clear sky being made: what stands in them is
 // then seen through the clouds, and the clouds' planes are filled in.

@@ -16,21 +16,11 @@
 namespace airlight::orders {
 namespace {
 
-// Whether mirrors stand so near that what they show is what the camera sees in that direction.
-bool mirrors_are_near(const Part& part) {
-  constexpr double kFarthest = 2.0;  // km
-  constexpr double kHighest = 0.02;  // km over the camera or below it
-  return std::ranges::all_of(part.things.bodies().spheres, [](const physics::SphereData& s) {
-    return s.material != physics::kSphereMirror ||
-           (physics::length(s.centre) < kFarthest && std::abs(s.centre.y) + s.radius < kHighest);
-  });
-}
-
 bool by_tables(const Part& part, const View& view) {
   constexpr long long kEnough = 4096;  // pixels, about twice the volume's rays
   const std::string& choice = part.scene.render.get<std::string>("tabulate");
   const bool holds = (view.directions.empty() || view.as_picture) && inside_the_air(part.scene) &&
-                     mirrors_are_near(part) && stokes_of(part, view) == physics::kStokesNone &&
+                     mirrors_are_near(part.scene) && stokes_of(part, view) == physics::kStokesNone &&
                      part.scene.render.get<std::string>("volumetric_shadows") != "march";
   const bool pays = part.scene.image.width * static_cast<long long>(part.scene.image.height) >= kEnough;
   return holds && (choice == "always" || (choice == "auto" && pays));
@@ -270,7 +260,8 @@ void refuse_too_many_steps(const Scene& scene, bool mirrors) {
   }
 }
 
-ThingPass pass_of(Plan& plan, const Part& part, const View& view, const Light& light, bool tables, bool clouds) {
+ThingPass pass_of(Plan& plan, const Part& part, const View& view, const Light& light, bool tables,
+                  const std::vector<LitCloud>& clouds) {
   constexpr std::uint32_t kMirrorSegments = 6;
   ThingPass pass{.reads = light.reads(),
                  .constants = light.constants,
@@ -293,8 +284,15 @@ ThingPass pass_of(Plan& plan, const Part& part, const View& view, const Light& l
   pass.reads.push_back({"caps_lut", add_sky_caps(plan, part, light, things)});
   pass.corners = add_corners(plan, part, view, things);
   pass.reads.push_back({"corners", pass.corners});
-  if (tables || clouds) {
+  if (tables || !clouds.empty()) {
     pass.air = air_among(plan, part, view, light, things, among);
+  }
+  if (!clouds.empty()) {
+    const LitCloud& highest = clouds.back();
+    pass.reads.insert(pass.reads.end(), highest.shade.begin(), highest.shade.end());
+    pass.reads.push_back(
+        {"cloud_map", mirrors ? add_cloud_map(plan, part, view, light, clouds, pass.air) : pass.corners});
+    pass.constants.insert(pass.constants.end(), highest.constants.begin(), highest.constants.end());
   }
   if (tables) {
     pass.reads.insert(pass.reads.end(), pass.air.air.begin(), pass.air.air.end());
@@ -422,6 +420,15 @@ class RaysByBlocks {
 
 }  // namespace
 
+bool mirrors_are_near(const Scene& scene) {
+  constexpr double kFarthest = 2.0;  // km
+  constexpr double kHighest = 0.02;  // km over the camera or below it
+  return std::ranges::all_of(scene.spheres, [](const Sphere& s) {
+    return s.material != SphereMaterial::mirror ||
+           (s.distance < kFarthest && std::abs(s.distance * std::sin(s.elevation)) + s.radius < kHighest);
+  });
+}
+
 bool lists_blocks(const Part& part, const View& view) {
   return by_tables(part, view) && (part.scene.terrain ? !has_cuts(part, view) : view.directions.empty());
 }
@@ -429,9 +436,9 @@ bool lists_blocks(const Part& part, const View& view) {
 ThingsUnderCloud add_things_sky(Plan& plan, const Part& part, const View& view, const SkyTarget& target,
                                 const Light& light, const ThingsShown& shown) {
   constexpr std::size_t kSeen = 5 * sizeof(float);  // ThingsSeen
-  const bool clouds = shown.under != nullptr;
+  const bool clouds = !shown.under.empty();
   const bool tables = clouds ? stokes_of(part, view) == physics::kStokesNone : by_tables(part, view);
-  ThingPass found = pass_of(plan, part, view, light, tables, clouds);
+  ThingPass found = pass_of(plan, part, view, light, tables, shown.under);
   found.reads.push_back({"directions", target.directions});
   found.constants.push_back({"kProjection", target.projection});
   PassDesc pass{.name = "sky",
@@ -445,10 +452,7 @@ ThingsUnderCloud add_things_sky(Plan& plan, const Part& part, const View& view, 
                 .specialization = found.constants,
                 .cost = tables ? 40.0 : 3.0 * ray_cost(found.steps)};
   if (clouds) {
-    const LitCloud& cloud = *shown.under;
     pass.shader += "_clouds";
-    pass.reads.insert(pass.reads.end(), cloud.shade.begin(), cloud.shade.end());
-    pass.specialization.insert(pass.specialization.end(), cloud.constants.begin(), cloud.constants.end());
     found.air.seen = plan.add_buffer(
         {.name = "things_seen", .bytes = kSeen * target.grid.width * target.grid.height, .zeroed = false});
     pass.writes.push_back({"seen_out", found.air.seen});
@@ -472,7 +476,7 @@ ThingsUnderCloud add_things_sky(Plan& plan, const Part& part, const View& view, 
 }
 
 BufferId add_things_layers(Plan& plan, const Part& part, const View& view, const Light& light) {
-  ThingPass found = pass_of(plan, part, view, light, by_tables(part, view), false);
+  ThingPass found = pass_of(plan, part, view, light, by_tables(part, view), {});
   found.constants.push_back({"kProjection", projection_code(part.scene.camera.projection)});
   if (!found.tables) {
     found.constants.push_back({"kScatteringMedia", part.air.scattering_media()});

@@ -6,7 +6,14 @@ struct Before {
   vec3 transmittance;
 };
 
-const float kRaySlices = 32.0;  // of a ray whose shade is found along it
+// Of a ray whose shade is found along it, and of a slice. With AIRLIGHT_FEW_SLICES, for what mirrors show, fewer.
+#ifdef AIRLIGHT_FEW_SLICES
+const float kRaySlices = 12.0;
+const uint kRayParts = 1u;
+#else
+const float kRaySlices = 32.0;
+const uint kRayParts = 2u;
+#endif
 
 // What walks through the air along a pixel's ray read.
 struct AirRay {
@@ -29,7 +36,7 @@ ShadedAir further(ShadedAir air, AirRay of, float distance_) {
   uint steps = uint(clamp(ceil((to - from) * kRaySlices), 0.0, kRaySlices));
   for (uint i = 1u; i <= steps; i++) {
     float z = mix(from, to, float(i) / float(steps));
-    air = shaded_up_to(air, of.ray, of.at, of.direction, i < steps ? shaded_distance(way, z) : distance_, 2u);
+    air = shaded_up_to(air, of.ray, of.at, of.direction, i < steps ? shaded_distance(way, z) : distance_, kRayParts);
   }
   return air;
 }

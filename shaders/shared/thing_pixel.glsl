@@ -28,11 +28,9 @@ struct BodiesHeld {
 };
 
 // Whether a ball that mirrors shows one thing within a pixel, whose middle ray then is the pixel: the sky, neither near
-// the horizon nor near the sun, or ground of one colour without an edge of a shadow.
+// the horizon nor near the sun, or ground of one colour without an edge of a shadow. Clouds come from a map that is no
+// finer than the pixels (cloud_map.glsl).
 bool mirrors_evenly(BodyHit hit, vec3 direction, float reach) {
-#ifdef AIRLIGHT_CLOUDS
-  return false;
-#else
   const float kAroundSun = 0.03;  // where its light is steep
   vec3 point = direction * hit.distance_;
   vec3 normal = body_normal(hit.which, point);
@@ -54,7 +52,6 @@ bool mirrors_evenly(BodyHit hit, vec3 direction, float reach) {
   float far = ground ? sight.before + sight.ray.length_ : 0.0;
   float width = (reach * hit.distance_ + wide * far) / max(-sight.track.mu, 1e-3);
   return even && (!ground || is_evenly_lit(point + away * far, width));
-#endif
 }
 
 BodiesHeld bodies_held(vec3 direction, float reach) {

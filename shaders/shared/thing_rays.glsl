@@ -18,10 +18,32 @@
 #include "physics/things_light.glsl"
 #ifdef AIRLIGHT_CLOUDS
 #include "shared/cloud_surface.glsl"
+#include "shared/cloud_map.glsl"
 #endif
 
 layout(constant_id = 36) const uint kSegments = 1u;  // most parts of a ray from mirror to mirror; light beyond is lost
 layout(constant_id = 37) const uint kDiscShows = 1u;  // 1: the disc shows in mirrors
+
+#ifdef AIRLIGHT_CLOUDS
+// In the direction in which the camera sees where a mirror's ray comes to the nearest cloud above it.
+CloudMapRay past_mirrored_clouds(Sight sight) {
+  const float kLeastClimb = 0.02;
+  float climb = dot(sight.direction, sight.from.up);
+  float up = 0.0;
+  for (uint i = kFields; i > 0u; i--) {
+    float above = cloud_fields.values[i - 1u].base - sight.from.h;
+    up = above > 0.0 ? above : up;
+  }
+  vec3 there = sight.from.point + sight.direction * (up / max(climb, kLeastClimb));
+  return cloud_map_toward(climb > 0.0 && up > 0.0 ? normalize(there) : sight.direction);
+}
+
+// `shown`: light along a ray whose last part begins with `before` and leads to the sky or the ground. `through`: what
+// is left of light from where that part begins.
+vec3 with_clouds(vec3 shown, vec3 before, vec3 through, CloudMapRay past) {
+  return before + through * past.sent + max(shown - before - through * past.taken, vec3(0.0)) * past.through;
+}
+#endif
 
 uint met;  // of the ray at hand: what it meets first, and which of the bodies
 
@@ -39,6 +61,14 @@ Gathered gathered_along(vec3 direction, float spread, float bare, uint steps) {
       hit = nearest_thing_past(scene.planet, sight, left, i == 0u ? bare : 0.0);
     }
     met = i == 0u ? hit.what + 8u * (hit.which + 1u) : met;
+#ifdef AIRLIGHT_CLOUDS
+    vec3 before = sum.light.i;
+    vec3 left_before = through;
+    CloudMapRay past = CloudMapRay(vec3(0.0), vec3(0.0), 1.0, 1.0);
+    if (kSegments > 1u && i > 0u && !hits_thing(hit)) {
+      past = past_mirrored_clouds(sight);
+    }
+#endif
     Ray ray = sight.ray;
     if (hits_thing(hit)) {
       real up_to = optical_length(scene.planet, sight.from.h, sight.track.mu, hit.distance_);
@@ -61,7 +91,12 @@ Gathered gathered_along(vec3 direction, float spread, float bare, uint steps) {
 #endif
     if (hit.what == kMeetsSky) {
       bool disc = kDiscShows != 0u && i > 0u;
-      sum = with_light(sum, disc ? through * mirrored_disc(scene.sun, direction, spread) : vec3(0.0));
+      vec3 sun = disc ? through * mirrored_disc(scene.sun, direction, spread) : vec3(0.0);
+#ifdef AIRLIGHT_CLOUDS
+      sum.light.i = with_clouds(sum.light.i, before, left_before, past);
+      sun *= past.beam;
+#endif
+      sum = with_light(sum, sun);
       break;
     }
     if (kTiles == kTilesOfSky) {
@@ -83,6 +118,9 @@ Gathered gathered_along(vec3 direction, float spread, float bare, uint steps) {
 #endif
       sum = with_light(sum, through * scene.sun.irradiance * surface_radiance(scene.planet, scene.moments, surface,
                                                                                direction, sun, share * lit, sky, open));
+#ifdef AIRLIGHT_CLOUDS
+      sum.light.i = with_clouds(sum.light.i, before, left_before, past);
+#endif
       break;
     }
     through *= surface.ground.albedo;

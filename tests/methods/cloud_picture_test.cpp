@@ -442,7 +442,7 @@ TEST(CloudPicture, RefusesWhatItDoesNotKnow) {
   expect_cloud_refused(far, "lower the camera");
   Scene ball = scene;
   ball.spheres.push_back({.distance = 1.0, .radius = 0.1, .material = SphereMaterial::mirror});
-  expect_cloud_refused(ball, "in mirrors");
+  expect_cloud_refused(ball, "clouds in mirrors within 2 km");
   Scene low = scene;
   low.sun.elevation = radians(5.0);
   auto large = std::make_shared<CloudFile>(*scene.clouds.front().contents);
