@@ -75,8 +75,10 @@ struct Executor::Impl {
         frame(device),
         sampler(make_sampler(device)),
         teams(options.teams.value_or(!device.info().is_cpu)),
-        tables(options.stores_tables ? cache_folder(options, "tables") : std::filesystem::path(), built_tables(),
-               device.info(), teams) {
+        tables(options.stores_tables ? cache_folder(options, "tables") : std::filesystem::path(),
+               options.stores_buffers.value_or(device.info().is_cpu) ? cache_folder(options, "buffers")
+                                                                     : std::filesystem::path(),
+               built_tables(), device.info(), teams) {
     device.keep_halves(options.halves.value_or(!device.info().is_cpu));
   }
 

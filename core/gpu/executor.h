@@ -32,7 +32,8 @@ struct DeviceOptions {
   std::optional<bool> teams = {};   // as no processor: passes get teams (PassDesc::team); absent: by the device
   // Folder for data that saves time at later starts; empty: none. Absent: user_cache_folder().
   std::optional<std::filesystem::path> cache_folder = {};
-  bool stores_tables = false;                         // also tables, in that folder; false: each executor bakes its own
+  bool stores_tables = false;               // also tables, in that folder; false: each executor bakes its own
+  std::optional<bool> stores_buffers = {};  // where tables are, also BufferDesc::stored; absent: on processors alone
   std::size_t kept_bytes_max = std::size_t{1} << 30;  // beyond it the least recently used kept resources go
   // Likewise pipelines beyond those of the current run. A scene has some ten to thirty, so a program may go to and fro
   // between several kinds of scenes without compiling one anew.

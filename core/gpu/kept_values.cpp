@@ -56,6 +56,7 @@ void keep_values_in(const std::filesystem::path& folder) {
 
 std::vector<std::uint32_t> packed(std::span<const std::uint32_t> words) {
   std::vector<std::uint32_t> out;
+  out.reserve(words.size());  // memory that is not touched is not taken; grown step by step it would be twice as much
   for (std::size_t at = 0; at < words.size();) {
     const std::size_t run = run_from(words, at);
     if (run >= kShortestRun) {

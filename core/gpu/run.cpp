@@ -95,7 +95,9 @@ RunResult Run::execute() {
 }
 
 void Run::choose_steps() {
-  const std::vector<bool> runs = passes_to_run(plan_, [&](ResourceId id) { return resources_.is_kept(id); });
+  const IsKept is_kept = [&](ResourceId id) { return resources_.is_kept(id); };
+  std::vector<bool> runs = passes_to_run(plan_, is_kept);
+  if (resources_.find_stored(runs)) runs = passes_to_run(plan_, is_kept);
   std::vector<Step> all;
   for (const PassDesc& pass : plan_.passes()) {
     // A skipped pass is matched too, so that a mistake in it shows in every run.
@@ -187,7 +189,10 @@ void Run::record_contents(VkCommandBuffer commands) {
     const BufferDesc& desc = plan_.buffers()[i];
     const Buffer& buffer = *resources_.buffer(i)->buffer;
     const std::vector<std::byte> found = desc.contents_when_run ? desc.contents_when_run() : std::vector<std::byte>();
-    const std::span<const std::byte> contents = desc.contents_when_run ? found : desc.contents;
+    const std::vector<std::uint32_t> stored = resources_.take_stored(i);
+    const std::span<const std::byte> contents = !stored.empty()          ? std::as_bytes(std::span(stored))
+                                                : desc.contents_when_run ? found
+                                                                         : desc.contents;
     if (!contents.empty() && contents.size() != desc.bytes) {
       throw std::logic_error("buffer " + desc.name + " has " + std::to_string(contents.size()) +
                              " bytes of contents and is " + std::to_string(desc.bytes) + " long");
@@ -329,6 +334,18 @@ bool Run::store_tables() const {
     std::memcpy(words.data(), resources_.store(i)->buffer->mapped().data(), table.bytes());
     machinery_.tables.keep(table, words);
     any = true;
+  }
+  for (const Step& step : steps_) {
+    for (const Binding& write : step.pass->writes) {
+      const auto* id = std::get_if<BufferId>(&write.resource);
+      if (id == nullptr || !machinery_.tables.takes(plan_.buffers()[id->index])) continue;
+      const std::span<const std::byte> made = resources_.at(*id).buffer->mapped();
+      if (made.empty()) continue;  // no processor's
+      std::vector<std::uint32_t> words(made.size() / sizeof(std::uint32_t));
+      std::memcpy(words.data(), made.data(), made.size());
+      machinery_.tables.keep(plan_.buffers()[id->index], std::move(words));
+      any = true;
+    }
   }
   if (any) machinery_.tables.trim();
   return any;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 #include <stdexcept>
+#include <utility>
 
 namespace airlight {
 
@@ -28,6 +29,20 @@ RunResources::RunResources(const Device& device, ResourceCache& cache, const Sto
     const BufferDesc& buffer = plan.buffers()[i];
     if (!buffer.key.empty() && cache.holds(buffer, buffer_place_)) held_.insert(BufferId{i});
   }
+}
+
+bool RunResources::find_stored(const std::vector<bool>& runs) {
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    for (const Binding& write : plan_.passes()[i].writes) {
+      const auto* id = std::get_if<BufferId>(&write.resource);
+      if (!runs[i] || id == nullptr) continue;
+      std::vector<std::uint32_t> words = tables_.find(plan_.buffers()[id->index]);
+      if (words.empty()) continue;
+      held_.insert(*id);
+      stored_.emplace(id->index, std::move(words));
+    }
+  }
+  return !stored_.empty();
 }
 
 Resource& RunResources::at(ResourceId id) const {
@@ -102,6 +117,11 @@ void RunResources::acquire_for_storing(std::span<const Step> steps) {
 std::span<const std::uint32_t> RunResources::contents(std::uint32_t image) const {
   const auto found = contents_.find(image);
   return found == contents_.end() ? std::span<const std::uint32_t>() : found->second;
+}
+
+std::vector<std::uint32_t> RunResources::take_stored(std::uint32_t buffer) {
+  const auto found = stored_.find(buffer);
+  return found == stored_.end() ? std::vector<std::uint32_t>() : std::exchange(found->second, {});
 }
 
 void RunResources::write_scenes() {

@@ -21,6 +21,9 @@ class RunResources {
   // Whether a resource with a key holds what the key promises. All are looked up once, before anything is allocated, so
   // that no resource of this plan is freed for another of the same plan.
   bool is_kept(ResourceId id) const { return held_.contains(id); }
+  // Looks up what these passes would write and an earlier start of the program may have stored (BufferDesc::stored).
+  // Returns whether there is any.
+  bool find_stored(const std::vector<bool>& runs);
 
   // Allocates what the steps and the host need. Throws std::logic_error when a kept resource is read that nobody has
   // made, RunError when the device is out of memory.
@@ -35,6 +38,8 @@ class RunResources {
   // What an image starts with, from the plan or an earlier start of the program; empty where there is nothing or the
   // image is here already.
   std::span<const std::uint32_t> contents(std::uint32_t image) const;
+  // Likewise what a buffer starts with from an earlier start of the program; it is handed over, being large.
+  std::vector<std::uint32_t> take_stored(std::uint32_t buffer);
   // The host-readable copy of an image that the steps make and later starts may ask for; null for other images.
   Resource* store(std::size_t image) const { return stores_[image]; }
   // The buffer of one of the plan's scenes; null when the scene is empty.
@@ -62,6 +67,7 @@ class RunResources {
   MemoryPlace buffer_place_;
   std::set<ResourceId> held_;
   std::map<std::uint32_t, std::vector<std::uint32_t>> contents_;  // by image
+  std::map<std::uint32_t, std::vector<std::uint32_t>> stored_;    // by buffer
   std::vector<Resource*> images_;
   std::vector<Resource*> buffers_;
   std::vector<Resource*> downloads_;

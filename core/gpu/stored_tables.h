@@ -1,6 +1,6 @@
 #pragma once
-// Tables that depend on the air alone (ImageDesc::stored), kept in the user's cache folder. A later start with the same
-// air reads them back bit for bit.
+// Tables that depend on the air alone (ImageDesc::stored), and what is large and made of little (BufferDesc::stored),
+// kept in the user's cache folder. A later start with the same air reads them back bit for bit.
 
 #include <cstdint>
 #include <filesystem>
@@ -16,23 +16,30 @@ namespace airlight {
 
 class StoredTables {
  public:
-  // `folder` empty: nothing is stored. `built`: of tables that the build left, which are only read; may be empty.
-  // `teams`: whether passes get teams, whose sums round differently.
-  StoredTables(std::filesystem::path folder, std::filesystem::path built, const DeviceInfo& device, bool teams);
+  // `folder` empty: nothing is stored. `buffers`: likewise of buffers, which many suns would else have push out the
+  // air's tables. `built`: of tables that the build left, which are only read; may be empty. `teams`: whether passes
+  // get teams, whose sums round differently.
+  StoredTables(std::filesystem::path folder, std::filesystem::path buffers, std::filesystem::path built,
+               const DeviceInfo& device, bool teams);
 
   // Whether the table is to be stored and a folder exists.
   bool takes(const ImageDesc& table) const;
+  bool takes(const BufferDesc& buffer) const;
   // Empty where the table is not stored.
   std::vector<std::uint32_t> find(const ImageDesc& table) const;
+  std::vector<std::uint32_t> find(const BufferDesc& buffer) const;
   void keep(const ImageDesc& table, std::span<const std::uint32_t> words) const;
+  void keep(const BufferDesc& buffer, std::vector<std::uint32_t> words) const;
   // To be called after tables were kept.
-  void trim() const { files_.trim(); }
+  void trim() const;
 
  private:
-  Digest key_of(const ImageDesc& table) const;
+  Digest key_of(const std::string& shape, const std::string& key) const;
 
   std::string maker_;  // program, device and driver, which decide the rounding; empty: nothing is stored
+  bool stores_buffers_;
   KeptFiles files_;
+  KeptFiles buffers_;
   KeptFiles built_;
 };
 

@@ -162,8 +162,11 @@ ImageId add_shadow(Plan& plan, const CloudGrid& grid, const CloudInputs& inputs,
     return *made;
   }
   const Extent size{head.fine_x + 1, head.fine_y + 1, finer * head.fine_z + 1};
-  const BufferId depths =
-      plan.add_buffer({.name = "cloud_sun_depth", .bytes = sizeof(float) * corners_of(grid, finer), .zeroed = false});
+  const BufferId depths = plan.add_buffer({.name = "cloud_sun_depth",
+                                           .bytes = sizeof(float) * corners_of(grid, finer),
+                                           .zeroed = false,
+                                           .stored = key,
+                                           .slice = size.width * size.height});  // a level: rays pass through clear air
   plan.add_pass({.shader = "cloud_shadow",
                  .reads = {{"cloud_data", inputs.head},
                            {"cloud_density_lut", inputs.density},

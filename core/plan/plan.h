@@ -55,6 +55,10 @@ struct BufferDesc {
   bool carried = false;
   bool scratch = false;  // its contents at the end are of no use: no pass runs for it alone
   bool zeroed = true;    // false: starts undefined, for a buffer that its pass writes whole (33 MB of zeros cost ms)
+  // A key under which a processor's later starts find the contents in a file of the user's: elsewhere making them takes
+  // less time than reading. They are not kept from plan to plan, as with `key`.
+  std::string stored = {};
+  std::uint32_t slice = 1;  // of what is stored: so many words farther on a value often stands once more
   // Replaces `contents` where they take long to compute. It is called when a pass that reads them runs, since most
   // plans are never run.
   std::function<std::vector<std::byte>()> contents_when_run = {};

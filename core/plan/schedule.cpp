@@ -72,7 +72,8 @@ std::vector<bool> passes_to_run(const Plan& plan, const IsKept& is_kept) {
   }
   for (std::uint32_t i = 0; i < plan.buffers().size(); ++i) {
     const BufferDesc& buffer = plan.buffers()[i];
-    kept[plan.images().size() + i] = !buffer.key.empty() && !buffer.carried && is_kept(BufferId{i});
+    const bool has_key = !buffer.key.empty() || !buffer.stored.empty();
+    kept[plan.images().size() + i] = has_key && !buffer.carried && is_kept(BufferId{i});
   }
   while (true) {
     std::vector<bool> runs = run_flags(plan, kept, seen);

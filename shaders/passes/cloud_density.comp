@@ -15,7 +15,7 @@ void main() {
     return;
   }
   // Texel 0 is the cell before the first. A grid that stands alone has empty cells all around.
-  uvec2 cell = uvec2((at.x + size.x - 1u) % size.x, (at.y + size.y - 1u) % size.y);
+  uvec2 cell = mix(at.xy, size.xy, equal(at.xy, uvec2(0u))) - 1u;
   uint i = (at.z * size.y + cell.y) * size.x + cell.x;
   imageStore(density_out, ivec3(at), vec4(extinction.values[i], inside.values[i], 0.0, 0.0));
 }

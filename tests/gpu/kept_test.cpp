@@ -318,5 +318,74 @@ TEST(Stored, TablesOutliveTheirExecutor) {
   std::filesystem::remove_all(folder);
 }
 
+using Numbers = std::vector<std::uint32_t>;
+
+// Numbers that later executors may ask for: 64 of `base`, to half of them one is added, then 32 zeros.
+struct StoredNumbers {
+  bool made;
+  Numbers numbers;
+};
+
+StoredNumbers run_stored_buffer(const DeviceOptions& options, const std::string& key, std::uint32_t base,
+                                std::uint32_t slice = 32) {
+  constexpr std::size_t kCount = 96;
+  Executor executor(options, test_shaders());
+  Plan plan;
+  const BufferId made = plan.add_buffer({.name = "made", .bytes = 4 * kCount, .stored = key, .slice = slice});
+  const BufferId copy = plan.add_buffer({.name = "copy", .bytes = 4 * kCount, .host_readable = true});
+  plan.add_pass({.shader = "accumulate", .writes = {{"numbers", made}}, .grid = {64, 1}, .push_constants = {base}});
+  plan.add_pass({.shader = "accumulate", .writes = {{"numbers", made}}, .grid = {32, 1}, .push_constants = {1}});
+  plan.add_pass({.shader = "copy_numbers", .reads = {{"source", made}}, .writes = {{"target", copy}}, .grid = {96, 1}});
+  const RunResult result = executor.run(plan);
+  return {result.passes.size() == 3, values_of<std::uint32_t>(result.contents(copy))};
+}
+
+Numbers numbers_from(std::uint32_t base) {
+  Numbers numbers(32, base + 1);
+  numbers.resize(64, base);
+  numbers.resize(96, 0);
+  return numbers;
+}
+
+TEST(Stored, BuffersOutliveTheirExecutorOnProcessors) {
+  std::string name = (std::filesystem::temp_directory_path() / "airlight-buffers-XXXXXX").string();
+  ASSERT_NE(::mkdtemp(name.data()), nullptr);
+  const std::filesystem::path folder = name;
+  const DeviceOptions options{.cache_folder = folder, .stores_tables = true};
+  const auto expect = [](const StoredNumbers& run, bool made, std::uint32_t base, const char* why) {
+    EXPECT_EQ(run.made, made) << why;
+    EXPECT_EQ(run.numbers, numbers_from(base)) << why;
+  };
+  if (!Executor(options).device().is_cpu) {
+    expect(run_stored_buffer(options, "a", 7), true, 7, "the first");
+    expect(run_stored_buffer(options, "a", 8), true, 8, "no processor");
+    EXPECT_FALSE(std::filesystem::exists(folder / "buffers"));
+    std::filesystem::remove_all(folder);
+    GTEST_SKIP() << "no processor";
+  }
+  const DeviceOptions as_a_gpu{.cache_folder = folder, .stores_tables = true, .stores_buffers = false};
+  expect(run_stored_buffer(as_a_gpu, "a", 6), true, 6, "the first of no processor");
+  EXPECT_FALSE(std::filesystem::exists(folder / "buffers"));
+  expect(run_stored_buffer(options, "a", 7), true, 7, "the first");
+  expect(run_stored_buffer(options, "a", 8), false, 7, "the second");
+  expect(run_stored_buffer(options, "b", 9), true, 9, "another key");
+  expect(run_stored_buffer(options, "a", 8, 96), true, 8, "slices as long as the whole");
+  expect(run_stored_buffer(options, "a", 9, 96), false, 8, "the same");
+  expect(run_stored_buffer(as_a_gpu, "a", 5), true, 5, "as no processor");
+  expect(run_stored_buffer({.cache_folder = folder}, "a", 4), true, 4, "nobody asked for it");
+  expect(run_stored_buffer(options, "a", 8), false, 7, "none of these wrote over it");
+  EXPECT_FALSE(std::filesystem::exists(folder / "tables")) << "they push no table out";
+  const auto each_file = [&folder](const auto& visit) {
+    for (const auto& file : std::filesystem::directory_iterator(folder / "buffers")) visit(file.path());
+  };
+  each_file([](const auto& path) { std::filesystem::resize_file(path, std::filesystem::file_size(path) - 4); });
+  expect(run_stored_buffer(options, "a", 3), true, 3, "a short file");
+  each_file(
+      [](const auto& path) { std::fstream(path, std::ios::in | std::ios::out | std::ios::binary).seekp(84).put('x'); });
+  expect(run_stored_buffer(options, "a", 4), true, 4, "a damaged file");
+  expect(run_stored_buffer(options, "a", 3), false, 4, "replaced");
+  std::filesystem::remove_all(folder);
+}
+
 }  // namespace
 }  // namespace airlight

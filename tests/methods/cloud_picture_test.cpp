@@ -4,9 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <memory>
 #include <numbers>
 #include <numeric>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "core/air/scene_block.h"
 #include "core/base/error.h"
@@ -157,6 +161,47 @@ TEST(CloudPicture, ItsShadowIsTheSunsDepth) {
   std::printf("shadow: %d of 60 between light and shade, error %.2f %%\n", shaded, 100.0 * error / seen);
   EXPECT_GE(shaded, 5);
   EXPECT_LT(error / seen, 0.012);  // linear steps through the table: 0.021
+}
+
+// The table of the sun's depth outlives the program on a processor, and the picture is the same to the bit: of a carved
+// field, and of one that is thin all over.
+TEST(CloudPicture, TheSunsDepthIsKeptForLaterStarts) {
+  std::string name = (std::filesystem::temp_directory_path() / "airlight-depths-XXXXXX").string();
+  ASSERT_NE(::mkdtemp(name.data()), nullptr);
+  Scene carved = among_cumulus(30.0, 0.35);
+  carved.clouds = {carved_cloud(CloudKind::cumulus, 0.35)};
+  Scene thin = among_cumulus(20.0, 0.35);
+  Cloud& veil = thin.clouds.front();
+  veil = under_level_cloud(1.0, 1.0).clouds.front();
+  auto contents = std::make_shared<CloudFile>(*field_of_balls());
+  for (float& extinction : contents->extinction) extinction *= 0.1F;
+  contents->identity = "thin balls";
+  veil.contents = contents;
+  struct Start {
+    bool follows_rays;  // of the sun
+    std::vector<float> picture;
+  };
+  const auto start = [&name](const Scene& scene, std::optional<bool> stores) {
+    Executor own{DeviceOptions{.cache_folder = name, .stores_tables = true, .stores_buffers = stores}};
+    const Rendering rendering = render([&]() -> Executor& { return own; }, scene, {});
+    const bool follows = std::ranges::any_of(
+        rendering.passes, [](const PassTiming& pass) { return pass.name.find("cloud_shadow") != std::string::npos; });
+    return Start{follows, rendering.radiance.rgba};
+  };
+  for (const Scene& scene : {carved, thin}) {
+    const Start first = start(scene, {});
+    EXPECT_TRUE(first.follows_rays);
+    const Start second = start(scene, {});
+    EXPECT_EQ(second.follows_rays, !executor().device().is_cpu);
+    EXPECT_EQ(second.picture, first.picture);
+    const Start as_a_gpu = start(scene, false);
+    EXPECT_TRUE(as_a_gpu.follows_rays);
+    EXPECT_EQ(as_a_gpu.picture, first.picture);
+    Scene later = scene;
+    later.sun.azimuth += radians(1.0);
+    EXPECT_TRUE(start(later, {}).follows_rays) << "another sun";
+  }
+  std::filesystem::remove_all(name);
 }
 
 // The light of the air among black balls of cloud, by listed rays and by froxels of a picture.

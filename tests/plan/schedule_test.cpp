@@ -153,6 +153,19 @@ TEST(Kept, APassWithoutReadersRuns) {
   EXPECT_EQ(Letters("a").pass("", "a").runs_with(""), (Flags{true}));
 }
 
+// What a file holds is made no more than what memory holds.
+TEST(Kept, AStoredBufferIsThere) {
+  Plan plan;
+  const BufferId step = plan.add_buffer({.name = "step", .bytes = 4});
+  const BufferId stored = plan.add_buffer({.name = "stored", .bytes = 4, .stored = "stored"});
+  const BufferId told = plan.add_buffer({.name = "told", .bytes = 4, .host_readable = true});
+  plan.add_pass({.shader = "one", .writes = {{"out", step}}, .grid = {1, 1}});
+  plan.add_pass({.shader = "two", .reads = {{"in", step}}, .writes = {{"out", stored}}, .grid = {1, 1}});
+  plan.add_pass({.shader = "three", .reads = {{"in", stored}}, .writes = {{"out", told}}, .grid = {1, 1}});
+  EXPECT_EQ(passes_to_run(plan, [](ResourceId) { return true; }), (Flags{false, false, true}));
+  EXPECT_EQ(passes_to_run(plan, [](ResourceId) { return false; }), (Flags{true, true, true}));
+}
+
 // Sums that some pass may want, beside those that lead to something kept.
 TEST(Kept, ScratchMakesNoPassRun) {
   Plan plan;
