@@ -15,8 +15,8 @@ namespace airlight {
 // ($MESA_SHADER_CACHE_DISABLE) or the build left no code. A fault is no error, since only time is lost.
 void take_driver_code(const std::filesystem::path& cache);
 
-// Where these renders left the presets' tables (stored_tables.h), beside a folder of their values (kept_values.h);
-// empty: nowhere.
+// Where these renders left the presets' tables (stored_tables.h), beside folders of their buffers and their values
+// (kept_values.h); empty: nowhere.
 std::filesystem::path built_tables();
 
 }  // namespace airlight

@@ -87,6 +87,7 @@ StoredTables::StoredTables(fs::path folder, fs::path buffers, fs::path built, co
       stores_buffers_(!maker_.empty() && !buffers.empty()),
       files_(std::move(folder), ".table"),
       buffers_(std::move(buffers), ".buffer"),
+      built_buffers_(built.empty() ? fs::path() : built.parent_path() / "buffers", ".buffer"),
       built_(std::move(built), ".table") {}
 
 bool StoredTables::takes(const ImageDesc& table) const {
@@ -112,7 +113,9 @@ std::vector<std::uint32_t> StoredTables::find(const ImageDesc& table) const {
 
 std::vector<std::uint32_t> StoredTables::find(const BufferDesc& buffer) const {
   if (!takes(buffer)) return {};
-  std::vector<std::uint32_t> words = unpacked(buffers_.find(key_of(buffer_shape(buffer), buffer.stored)));
+  const Digest key = key_of(buffer_shape(buffer), buffer.stored);
+  std::vector<std::uint32_t> words = unpacked(buffers_.find(key));
+  if (words.empty()) words = unpacked(built_buffers_.find(key));
   if (words.size() * sizeof(words[0]) != buffer.bytes) return {};
   for (std::size_t i = words.size() - std::min<std::size_t>(buffer.slice, words.size()); i-- > 0;) {
     words[i] ^= words[i + buffer.slice];

@@ -16,9 +16,9 @@ namespace airlight {
 
 class StoredTables {
  public:
-  // `folder` empty: nothing is stored. `buffers`: likewise of buffers, which many suns would else have push out the
-  // air's tables. `built`: of tables that the build left, which are only read; may be empty. `teams`: whether passes
-  // get teams, whose sums round differently.
+  // `folder` empty: nothing is stored. `buffers`: likewise for buffers, so that those of many suns push out no table of
+  // the air. `built`: of tables that the build left, beside its "buffers", which are only read; may be empty. `teams`:
+  // whether passes get teams, whose sums round differently.
   StoredTables(std::filesystem::path folder, std::filesystem::path buffers, std::filesystem::path built,
                const DeviceInfo& device, bool teams);
 
@@ -40,6 +40,7 @@ class StoredTables {
   bool stores_buffers_;
   KeptFiles files_;
   KeptFiles buffers_;
+  KeptFiles built_buffers_;
   KeptFiles built_;
 };
 
