@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/methods/cloud_scene.h"
 #include "tests/methods/render_fixture.h"
 #include "tests/methods/spectral_scene.h"
 #include "tests/of_scene.h"
@@ -102,6 +103,24 @@ TEST(ThrownLight, OtherSpheresHideIt) {
       EXPECT_NEAR(hidden, std::sin(scene.sun.elevation), 1e-5) << more;
       EXPECT_GT(lit, hidden + 0.005);
     }
+  }
+}
+
+// A black level cloud far above takes of it what it takes of all sunlight. A black ball keeps the sun's own beam from
+// the place.
+TEST(ThrownLight, PassesClouds) {
+  constexpr double kDepth = 0.5;
+  for (const bool spectral : {false, true}) {
+    Scene scene = mirror_in_vacuum(spectral, R"(, {"distance_m": 13.79, "radius_m": 0.6, "material": "matte",
+                                                   "albedo": 0, "azimuth_deg": 50.16, "elevation_deg": 15.72})");
+    const double clear = ground_at(scene, 2.0, 8.5);
+    EXPECT_NEAR(clear, ground_at(mirror_in_vacuum(spectral), 2.0, 8.5) - std::sin(scene.sun.elevation), 1e-5);
+    scene.planet.atmosphere_height = 20.0;
+    scene.clouds = under_level_cloud(kDepth, 0.5).clouds;
+    scene.clouds.front().single_scattering_albedo = 0.0;
+    scene.render.parameters.insert_or_assign("samples", 8192);
+    const double left = clear * std::exp(-kDepth / std::sin(scene.sun.elevation));
+    EXPECT_NEAR(ground_at(scene, 2.0, 8.5), left, 0.06 * left) << spectral;
   }
 }
 

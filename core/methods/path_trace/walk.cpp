@@ -419,35 +419,6 @@ void Walk::add_sunlight(State& state, Random& random) const {
   }
 }
 
-// Adds the sunlight that mirrors throw on the surface at the vertex. What they throw into the air or by way of one
-// another is left out, and all of it among clouds.
-void Walk::add_thrown(State& state) const {
-  if (things_ == nullptr || clouds_ != nullptr || !state.at_ground || state.mirrors) {
-    return;
-  }
-  const Sunbeam here = sunbeam(physics_, state.h, state.mu_sun);
-  for (const TracedThings::Thrown& thrown :
-       things_->thrown_on(state.place(physics_), seen_from(state, here), state.thing)) {
-    const double h = altitude_of_place(physics_, thrown.from);
-    const Sunbeam sun = sunbeam(physics_, h, dot(normalize(thrown.from), physics_.scene.sun.direction));
-    const double mu = dot(state.up, thrown.direction);
-    const vec3 beam = single_.sunlight_at(thrown.from, h, sun, thrown.mirror);
-    const double facing = state.shares.cosine(dot(state.normal, thrown.direction)) * thrown.spread / std::numbers::pi;
-    if (!(beam.x + beam.y + beam.z > 0.0) || !(facing > 0.0)) {
-      continue;
-    }
-    if (state.wide != nullptr) {
-      const Columns columns = depth_.columns_along(state.h, mu, thrown.distance) + depth_.columns_to_top(h, sun.mu);
-      const Wide mirror = state.wide->wavelengths().thing_albedo(*things_, thrown.from, thrown.mirror);
-      state.wide->add_reflected(columns, mirror * state.wide_albedo, facing * sun.spread);
-    } else {
-      const vec3 arrives =
-          beam * things_->albedo(thrown.from, thrown.mirror) * exp(-1.0 * depth_.along(state.h, mu, thrown.distance));
-      state.sum = state.sum + state.carry * arrives * state.albedo * facing;
-    }
-  }
-}
-
 void Walk::walk(State& state, const WalkStart& start, WalkNumbers& numbers, FlightPlan& plan) const {
   state.h = start.ray.h;
   state.up = start.up;
@@ -466,7 +437,7 @@ void Walk::walk(State& state, const WalkStart& start, WalkNumbers& numbers, Flig
   }
   const int most = max_orders_ == 0 ? kMostScatterings : max_orders_;
   if (most > 1) {
-    add_thrown(state);
+    add_thrown(state, numbers.random());
   }
   vec3 whole(0.0);  // what the path was worth when its standing was 1
   double standing = 1.0;
@@ -498,7 +469,7 @@ void Walk::walk(State& state, const WalkStart& start, WalkNumbers& numbers, Flig
       add_sunlight(state, numbers.random());
     }
     if (order < most) {
-      add_thrown(state);
+      add_thrown(state, numbers.random());
     }
     cut_paths_ += max_orders_ == 0 && order == most ? 1 : 0;
   }

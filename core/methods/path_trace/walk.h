@@ -76,7 +76,8 @@ class Walk {
   void add_from_sun(const State& state, Random& random) const;
   bool far_from_sunlight(const State& state) const;
   void add_sunlight(State& state, Random& random) const;
-  void add_thrown(State& state) const;
+  double thrown_through_clouds(const TracedThings::Thrown& thrown, const Sunbeam& sun, Random& random) const;
+  void add_thrown(State& state, Random& random) const;
   double through_clouds(const State& state, const Sunbeam& sun, Random& random) const;
   void meet_clouds(const BentWay& way, physics::Physics::Ray& ray, std::optional<TracedThings::Met>& met,
                    Random& random) const;
