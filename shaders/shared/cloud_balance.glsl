@@ -7,6 +7,16 @@ const float kRim = 0.1;  // of the grid of a cloud that stands alone, over which
 
 CloudLight light_of_cloud() { return cloud_light.values[kField]; }
 
+// What clouds leave on a surface of the light from about the sun, where they leave so much of the sun's: that light is
+// wide, and sees the more of the field's mean the smaller the clouds before the sun look. `mean`: of the sun's light;
+// `up`: sine of the sun's height.
+float left_about_sun(CloudData c, float h, float lit, float mean, float up) {
+  const float kWide = 0.08;  // rad
+  float high = c.top - c.base;
+  float size = high * max(up, 0.0) / max(0.5 * (c.top + c.base) - h, 0.5 * high);
+  return mix(lit, mean, kWide * kWide / (kWide * kWide + size * size));
+}
+
 // Shares of the air's light scattered more than once.
 struct MoreLight {
   vec3 share;  // that is left or added

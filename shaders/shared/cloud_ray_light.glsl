@@ -150,13 +150,15 @@ vec3 ground_change(Ray ray, vec3 direction) {
   vec3 clear = direct + sky;
   float lit = exp(-cloud_shade(place, 0.0, point.mu_sun));
   CloudLight light = light_of_cloud();
-  direct += min(direct * light.near_sun, sky);
+  vec3 near_sun = min(direct * light.near_sun, sky);
   if (kFields > 1u) {
     OtherFields past = past_other_fields(direction, ray.length_, 0.0, point.mu_sun);
     lit *= exp(-past.shade);
     light.below *= past.below;
     light.direct *= past.direct;
   }
-  vec3 below = max(clear * light.below - direct * light.direct, vec3(0.0)) + direct * lit;
+  float about_sun = left_about_sun(highest_cloud(), 0.0, lit, light.direct, point.mu_sun);
+  vec3 below = max(clear * light.below - (direct + near_sun) * light.direct, vec3(0.0)) + direct * lit +
+               near_sun * about_sun;
   return (below - clear) * scene.planet.ground_albedo / kPi;
 }

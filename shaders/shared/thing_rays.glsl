@@ -114,7 +114,7 @@ Gathered gathered_along(vec3 direction, float spread, float bare, uint steps) {
 #endif
       SkyPast sky = sky_past_things(scene.planet, scene.moments, scene.camera.altitude, sun, surface, open, lit);
 #ifdef AIRLIGHT_CLOUDS
-      sky = sky_past_cloud(sky, surface, sun, lit);
+      sky = sky_past_cloud(sky, surface, sun, lit, open);
 #endif
       sum = with_light(sum, through * scene.sun.irradiance * surface_radiance(scene.planet, scene.moments, surface,
                                                                                direction, sun, share * lit, sky, open));

@@ -241,6 +241,36 @@ TEST(CloudThings, AnEmptyCloudChangesNothing) {
   EXPECT_LT(error, 2e-3);
 }
 
+// A ball of 5 m deep in the shadow of a black cloud, in a vacuum, sees ground in the same shadow: what it gets from
+// ground is little, by how far away lit ground begins.
+TEST(CloudThings, GroundInAShadowLightsLittle) {
+  constexpr double kHeight = 0.01;  // km, of the ball's centre
+  Scene scene = under_level_cloud(1.0, std::sin(radians(40.0)));
+  scene.clouds.front().contents = field_of_balls();
+  scene.clouds.front().single_scattering_albedo = 0.0;
+  scene.planet.ground_albedo = {0.3, 0.3, 0.3};
+  scene.camera.altitude = 0.2;
+  const std::vector<Direction> directions = lattice(-60.0, -20.0);
+  const std::vector<ProbeResult> ground = probe_now(scene, directions);
+  const auto darker = [](const ProbeResult& a, const ProbeResult& b) { return a.radiance[1] < b.radiance[1]; };
+  const auto darkest = std::ranges::min_element(ground, darker);
+  const double lit = std::ranges::max_element(ground, darker)->radiance[1];
+  ASSERT_LT(darkest->radiance[1], 0.001 * lit);
+  const Direction toward = directions[static_cast<std::size_t>(darkest - ground.begin())];
+  const double away = scene.camera.altitude / std::tan(-toward.elevation);
+  const double down = kHeight - scene.camera.altitude;
+  Sphere ball = matte(0.0, 0.0, std::hypot(away, down), 0.005);
+  ball.azimuth = toward.azimuth;
+  ball.elevation = std::atan2(down, away);
+  scene.spheres = {ball};
+  // Below its middle, half of what the ball sees and more is ground; wholly lit, it would send this.
+  const double whole = 0.5 * ball.albedo[1] * lit;
+  const double found =
+      probe_now(scene, {{ball.elevation - 0.3 * ball.radius / ball.distance, ball.azimuth}})[0].radiance[1];
+  std::printf("ground in a shadow lights a ball by %.1f %%\n", 100.0 * found / whole);
+  EXPECT_LT(found, 0.1 * whole);
+}
+
 // All light of bodies below, in and above a level cloud, against path-trace.
 TEST(CloudThings, ScatteredLightOnThingsIsPathTraces) {
   for (const double depth : {4.0, 16.0}) {
