@@ -57,9 +57,8 @@ std::vector<Misfit> cloud_misfits(const Scene& scene) {
     add("/camera/altitude_km",
         "renders clouds for a camera in the air, below planet.atmosphere_height_km; lower the camera");
   }
-  const auto mirror = std::ranges::find(scene.spheres, SphereMaterial::mirror, &Sphere::material);
-  if (!mirrors_are_near(scene)) {
-    add("/scene/spheres/" + std::to_string(mirror - scene.spheres.begin()) + "/material",
+  if (const auto mirror = far_mirror(scene)) {
+    add("/scene/spheres/" + std::to_string(*mirror) + "/material",
         "renders clouds in mirrors within 2 km of the camera and 20 m of its altitude; move the mirror, choose another "
         "material, remove the clouds");
   }

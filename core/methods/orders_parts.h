@@ -192,8 +192,8 @@ struct ThingsUnderCloud {
 ThingsUnderCloud add_things_sky(Plan& plan, const Part& part, const View& view, const SkyTarget& target,
                                 const Light& light, const ThingsShown& shown = {});
 
-// Whether mirrors stand so near that what they show is what the camera sees in that direction.
-bool mirrors_are_near(const Scene& scene);
+// The first mirror, by its number, that stands too far away to show what the camera sees in that direction.
+std::optional<std::size_t> far_mirror(const Scene& scene);
 
 // The planes of its layers.
 BufferId add_things_layers(Plan& plan, const Part& part, const View& view, const Light& light);

@@ -20,7 +20,7 @@ bool by_tables(const Part& part, const View& view) {
   constexpr long long kEnough = 4096;  // pixels, about twice the volume's rays
   const std::string& choice = part.scene.render.get<std::string>("tabulate");
   const bool holds = (view.directions.empty() || view.as_picture) && inside_the_air(part.scene) &&
-                     mirrors_are_near(part.scene) && stokes_of(part, view) == physics::kStokesNone &&
+                     !far_mirror(part.scene) && stokes_of(part, view) == physics::kStokesNone &&
                      part.scene.render.get<std::string>("volumetric_shadows") != "march";
   const bool pays = part.scene.image.width * static_cast<long long>(part.scene.image.height) >= kEnough;
   return holds && (choice == "always" || (choice == "auto" && pays));
@@ -420,13 +420,15 @@ class RaysByBlocks {
 
 }  // namespace
 
-bool mirrors_are_near(const Scene& scene) {
+std::optional<std::size_t> far_mirror(const Scene& scene) {
   constexpr double kFarthest = 2.0;  // km
   constexpr double kHighest = 0.02;  // km over the camera or below it
-  return std::ranges::all_of(scene.spheres, [](const Sphere& s) {
-    return s.material != SphereMaterial::mirror ||
-           (s.distance < kFarthest && std::abs(s.distance * std::sin(s.elevation)) + s.radius < kHighest);
+  const auto found = std::ranges::find_if(scene.spheres, [](const Sphere& s) {
+    const double aside = std::abs(s.distance * std::sin(s.elevation)) + s.radius;
+    return s.material == SphereMaterial::mirror && !(s.distance < kFarthest && aside < kHighest);
   });
+  if (found == scene.spheres.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - scene.spheres.begin());
 }
 
 bool lists_blocks(const Part& part, const View& view) {

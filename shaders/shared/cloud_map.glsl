@@ -12,7 +12,7 @@ struct CloudMapRay {
 #endif
 layout(scalar, set = 0, binding = 50) AIRLIGHT_CLOUD_MAP CloudMap { CloudMapRay values[]; } cloud_map;
 
-// Of the pixel at hand, along the row and the column of a map of side x side texels.
+// Of a texel of a map of side x side.
 vec3 cloud_map_direction(uvec2 at, uint side) {
   vec2 point = 2.0 * vec2(at) / float(side - 1u) - 1.0;
   return normalize(octahedral_direction(point.x, point.y));
