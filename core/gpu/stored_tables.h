@@ -1,6 +1,6 @@
 #pragma once
-// Tables that depend on the air alone (ImageDesc::stored), and what is large and made of little (BufferDesc::stored),
-// kept in the user's cache folder. A later start with the same air reads them back bit for bit.
+// Tables that depend on the air alone (ImageDesc::stored), and buffers that a processor reads sooner than it makes them
+// (BufferDesc::stored), kept in the user's cache folder. A later start with the same air reads them back bit for bit.
 
 #include <cstdint>
 #include <filesystem>

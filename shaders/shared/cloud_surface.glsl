@@ -27,9 +27,8 @@ float sun_past_cloud(Place place, PlaceSun sun) {
 // share of the sun past the cloud. `open`: what would come to the surface from sky and ground in the open. Among several
 // fields the cloud is the highest.
 SkyPast sky_past_cloud(SkyPast sky, Surface surface, PlaceSun sun, float lit, vec3 open) {
-  vec3 beam = sun_through_air(scene.planet, 0.0, sun.mu);
   float up = max(dot(sun.seen, surface.place.up), 0.0);
-  vec3 direct = beam * up;
+  vec3 direct = sun_through_air(scene.planet, 0.0, sun.mu) * up;
   vec3 clear = moment_ground_irradiance(scene.moments, sun.mu);
   CloudLight light = light_of_cloud();
   vec3 near_sun = min(direct * light.near_sun, clear);
