@@ -6,6 +6,7 @@
 #include "core/methods/known_failures.h"
 #include "core/methods/ready.h"
 #include "core/scene/angle.h"
+#include "core/scene/cloud_pixels.h"
 #include "core/scene/curve_reader.h"
 #include "core/scene/thing_kinds.h"
 
@@ -95,8 +96,9 @@ std::vector<std::string> scene_warnings(const Stage& stage, bool error_is_measur
                        " % of the sun's light here, and everywhere else as much: the air beyond the moon's shadow, "
                        "which then lights the sky, and the corona are left out");
   }
-  const std::vector<std::string> curves = curve_warnings(stage.scene());
-  warnings.insert(warnings.end(), curves.begin(), curves.end());
+  for (const auto& more : {curve_warnings(stage.scene()), cloud_warnings(stage.scene())}) {
+    warnings.insert(warnings.end(), more.begin(), more.end());
+  }
   return warnings;
 }
 

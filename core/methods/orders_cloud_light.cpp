@@ -24,12 +24,53 @@ namespace {
 
 constexpr double kLeastSunHeight = 0.03;  // sine of the elevation: below it the sun's rays would cross many periods
 
+// The sun where the clouds' light is found, in their frame there.
+struct CloudSun {
+  double elevation;  // rad
+  double azimuth;
+};
+
+// Angle at the planet's centre, rad, from the point under the camera to the ground that the view's axis meets, or else
+// to the axis's lowest point. Maps look down.
+double way_round(const Scene& scene) {
+  const Camera& camera = scene.camera;
+  const double mu = std::sin(camera.pitch);
+  if (is_map(camera.projection) || mu >= 0.0) {
+    return 0.0;
+  }
+  const double r = scene.planet.ground_radius + camera.altitude;
+  const double sigma = std::cos(camera.pitch);
+  const double lowest = r * sigma;
+  const double root =
+      std::sqrt(std::max(scene.planet.ground_radius * scene.planet.ground_radius - lowest * lowest, 0.0));
+  const double t = -r * mu - root;
+  return std::atan2(t * sigma, r + t * mu);
+}
+
+// A camera inside the air sees clouds under the sun that it has itself. From space those in the middle of the picture
+// have another one: the grid's frame stands there as if it had been moved along the ground.
+CloudSun sun_over_clouds(const Scene& scene) {
+  const Sun& sun = scene.sun;
+  const double round = inside_the_air(scene) ? 0.0 : way_round(scene);
+  if (round == 0.0) {
+    return {sun.elevation, sun.azimuth};
+  }
+  const double turn = sun.azimuth - scene.camera.azimuth;
+  const double across = std::cos(sun.elevation) * std::sin(turn);
+  const double ahead = std::cos(sun.elevation) * std::cos(turn);
+  const double up = std::sin(sun.elevation);
+  const double there = ahead * std::cos(round) - up * std::sin(round);
+  return {std::asin(std::clamp(up * std::cos(round) + ahead * std::sin(round), -1.0, 1.0)),
+          scene.camera.azimuth + std::atan2(across, there)};
+}
+
 // Toward the sun that is seen from the cloud, in its frame (x east, y north, z up).
 physics::vec3 cloud_sun(const Scene& scene, const CloudGrid& cloud) {
-  const double elevation = seen_elevation(scene.planet, 0.5 * (cloud.base + cloud.top), scene.sun.elevation);
+  const CloudSun sun = sun_over_clouds(scene);
+  const double elevation = seen_elevation(scene.planet, 0.5 * (cloud.base + cloud.top), sun.elevation);
   const double up = std::max(std::sin(elevation), kLeastSunHeight);
   const double across = std::sqrt(1.0 - up * up);
-  return {across * std::sin(scene.sun.azimuth), across * std::cos(scene.sun.azimuth), up};
+  return {across * std::sin(sun.azimuth), across * std::cos(sun.azimuth), up};
 }
 
 // The cloud's matter, as an air of its own that is empty.
@@ -313,6 +354,7 @@ void add_balance(Plan& plan, const Part& part, const Light& light, const CloudIn
                  .reads = std::move(reads),
                  .writes = {{"light_out", balance}},
                  .grid = {1, 1, 1},
+                 .push_constants = {push_constant(std::sin(sun_over_clouds(part.scene).elevation))},
                  .specialization = std::move(constants)});
 }
 

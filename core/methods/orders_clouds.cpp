@@ -25,7 +25,8 @@ namespace {
 // cumulus below cirrus would be 0.9 % too dark by froxels.
 bool by_froxels(const Part& part, const View& view, const std::vector<LitCloud>& clouds) {
   const Projection projection = part.scene.camera.projection;
-  return view.directions.empty() && projection != Projection::cube && projection != Projection::octahedral &&
+  return inside_the_air(part.scene) && view.directions.empty() && projection != Projection::cube &&
+         projection != Projection::octahedral &&
          (clouds.size() == 1 || part.scene.camera.altitude < clouds.front().grid->top);
 }
 

@@ -53,10 +53,6 @@ std::vector<Misfit> cloud_misfits(const Scene& scene) {
               " begins below the top of the one " + reach(below) + "; move one of them");
     }
   }
-  if (!inside_the_air(scene)) {
-    add("/camera/altitude_km",
-        "renders clouds for a camera in the air, below planet.atmosphere_height_km; lower the camera");
-  }
   if (const auto mirror = far_mirror(scene)) {
     add("/scene/spheres/" + std::to_string(*mirror) + "/material",
         "renders clouds in mirrors within 2 km of the camera and 20 m of its altitude; move the mirror, choose another "

@@ -14,6 +14,7 @@
 #include "shared/cloud_around.glsl"
 
 layout(local_size_x = 64) in;
+layout(push_constant, scalar) uniform Push { float mu_sun; };  // where the clouds' light is found
 layout(set = 0, binding = 17) uniform sampler2D cloud_sums_lut;  // passes/cloud_sums.comp
 layout(scalar, set = 0, binding = 18) buffer Light { CloudLight values[]; } light_out;  // of fields, the lowest first
 
@@ -72,7 +73,6 @@ void main() {
   }
   CloudData c = cloud();
   vec4 sum = texelFetch(cloud_sums_lut, ivec2(0), 0);
-  float mu_sun = scene.sun.direction.y;
   float h = optical_altitude_at(c.base);
   float facing = max(seen_sun_mu(scene.planet, h, mu_sun), 0.0);
   vec3 direct = beam_at(h, mu_sun) * facing;

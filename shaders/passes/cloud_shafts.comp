@@ -23,7 +23,6 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = 26) uniform writeonly image3D shafts_out;
-const uint kStepsAbove = 8u;  // up to where a ray from above the cloud falls below its top
 
 layout(push_constant, scalar) uniform Push { uint parts; };  // of a slice
 
@@ -39,16 +38,17 @@ void main() {
   FactorPlace of = factor_place(direction);
   ShadedWay way = shaded_way(scene.planet.ground_radius, highest_cloud(), ray.h, ray.mu, max(ray.length_, 0.0));
   ShadedAir air = no_shaded_air();
+  float before = way_to_air(direction);
   uint steps = way.from > 0.0 ? kStepsAbove : 0u;
   for (uint i = 1u; i <= steps; i++) {
-    float share_of_way = float(i) / float(steps);
-    air = shaded_up_to(air, ray, of, direction, way.from * share_of_way * share_of_way, parts);
+    air = shaded_up_to(air, ray, of, direction, before, way_above(way, float(i) / float(steps)), parts);
   }
   // From below the top the first slice is of no length: it has the share of the second.
   uint first = steps > 0u ? 0u : 1u;
   for (uint slice = first; slice < size.z; slice++) {
     if (slice > 0u) {
-      air = shaded_up_to(air, ray, of, direction, shaded_distance(way, float(slice) / float(size.z - 1u)), parts);
+      float to = shaded_distance(way, float(slice) / float(size.z - 1u));
+      air = shaded_up_to(air, ray, of, direction, before, to, parts);
     }
     vec4 share = vec4(share_left(air), 1.0);
     if (slice == 1u && first == 1u) {

@@ -36,7 +36,7 @@ void main() {
   }
   vec3 direction = view_ray(scene.camera, kProjection, span.place.x, span.place.y).direction;
   AirRay of = ray_through_clouds(uvec2(span.place), direction);
-  PastCloud past = past_cloud(of, min(span.distance_, of.ray.length_));
+  PastCloud past = past_cloud(of, min(span.distance_ - of.before, of.ray.length_));
   air_out.values[2u * span.index] = light_past(past, air_out.values[2u * span.index]);
   air_out.values[2u * span.index + 1u] *= past.through;
 }

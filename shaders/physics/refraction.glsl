@@ -121,22 +121,43 @@ real beam_spread(PlanetData planet, real g, real seen_mu, real bending, real der
   return n * n * along / widening;
 }
 
+// The part of a falling ray above the altitude g, where the air bends little: its optical length, and the true one over
+// it, the mean of dh/dg. 0 for a ray from below it, or one that does not fall so far.
+struct ThinPart {
+  real length_;
+  real stretch;
+};
+
+ThinPart thin_part(PlanetData planet, Ray ray, real g) {
+  real r = planet.ground_radius + ray.h;
+  real c = (ray.h - g) * (planet.ground_radius + g + r);
+  real q = r * r * ray.mu * ray.mu - c;
+  bool falls = c > 0.0 && ray.mu < 0.0 && q > 0.0;
+  ThinPart part;
+  part.length_ = falls ? c / (sqrt(max(q, 0.0)) - r * ray.mu) : 0.0;
+  part.stretch = (true_altitude(ray.h).h - true_altitude(g).h) / (falls ? ray.h - g : 1.0);
+  return part;
+}
+
 // Optical length of the first `length_` km of a ray from altitude h, which may be in space, along mu.
 real optical_length(PlanetData planet, real h, real mu, real length_) {
+  const real kThin = 12.0;
   real before = air_entry(planet, h, mu).distance_;
   real inside = length_ - before / optical_scale();
   real optical = length_ * optical_scale();
   if (bends_light() && inside > 0.0) {
     Ray ray = ray_in_atmosphere(planet, h, mu, mu, 1.0);
-    real first = true_altitude(ray.h).stretch;
-    real t = inside / first;
+    ThinPart thin = thin_part(planet, ray, kThin);
+    real rest = inside - thin.length_ * thin.stretch;
+    real first = true_altitude(point_on_ray(planet, ray, thin.length_).h).stretch;
+    real t = rest / first;
     // Simpson's rule; each turn leaves a few hundredths of the error.
     UNROLL for (uint i = 0u; i < 2u; i++) {
-      real middle = true_altitude(point_on_ray(planet, ray, 0.5 * t).h).stretch;
-      real last = true_altitude(point_on_ray(planet, ray, t).h).stretch;
-      t = inside * 6.0 / (first + 4.0 * middle + last);
+      real middle = true_altitude(point_on_ray(planet, ray, thin.length_ + 0.5 * t).h).stretch;
+      real last = true_altitude(point_on_ray(planet, ray, thin.length_ + t).h).stretch;
+      t = rest * 6.0 / (first + 4.0 * middle + last);
     }
-    optical = before + t;
+    optical = before + (rest > 0.0 ? thin.length_ + t : inside / thin.stretch);
   }
   return optical;
 }

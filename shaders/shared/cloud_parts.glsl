@@ -64,11 +64,10 @@ struct CloudParts {
   uint count;
 };
 
-// The length of a part, km, from distance t on.
-float length_of_parts(vec3 direction, float t) {
+// The length of a part of a ray that climbs or falls so steeply, km.
+float length_of_parts(vec3 direction, float climb) {
   CloudData c = cloud();
   vec3 per_km = vec3(c.coarse_x, c.coarse_y, c.coarse_z) / vec3(c.width, c.depth, c.top - c.base);
-  float climb = abs(direction.y) + t / scene.planet.ground_radius;
   float cells = c.thin == 1u ? kThinPart : kPartOfCell;
   return cells / max(max(abs(direction.x) * per_km.x, abs(direction.z) * per_km.y), climb * per_km.z);
 }

@@ -28,7 +28,7 @@ Clouded clouded(AirRay of, vec3 behind, uint index) {
   for (uint part = first; part < last; part++) {
     float share = part == 0u ? things.share : 1.0 - things.share;
     vec3 light = part == 0u ? things.light : max(behind - things.light, vec3(0.0));
-    float end = part == 0u ? min(things.distance_, of.ray.length_) : of.ray.length_;
+    float end = part == 0u ? min(things.distance_ - of.before, of.ray.length_) : of.ray.length_;
     PastCloud past = past_cloud(of, end);
     vec3 left = light_past(past, light / share) * share;
     sum.light += left;

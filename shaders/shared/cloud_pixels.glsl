@@ -35,6 +35,7 @@ const float kEdgeDepth = 0.1;   // likewise where the cloud begins or ends
 const float kSunStep = 1.0;     // scaled, the most by which the depth toward the sun may change along a step
 const float kShaded = 5.0;      // where it is more than this, no sunlight is left that counts
 const float kLeastStep = 0.15;  // of `step`
+const float kHeightShare = 0.125;
 #ifdef AIRLIGHT_THINGS
 const bool kShowsAirAlone = false;  // pixels that do not show the ground
 #else
@@ -78,10 +79,25 @@ float growth_after(float turns) {
   return max(1.0, exp2((turns / fine - 1.0) / kShareToDouble));
 }
 
+// The shortest step of even water, km. From space rays cross the cloud steeply: its height bounds the step.
+float step_at(AirRay of, float t) {
+  float most = table_from_space() ? (cloud().top - cloud().base) * kHeightShare : 1e9;
+  return max(step, min((of.before + t) * step_rise, most));
+}
+
+// The most by which a ray climbs or falls, over its way, up to t.
+float steepest(AirRay of, float t) { return abs(of.ray.mu) + t / scene.planet.ground_radius; }
+
+// How much faster than the ray its place on the plane below the camera moves: from space, toward the planet's edge.
+float widened(AirRay of, float t) {
+  float r = scene.planet.ground_radius + scene.camera.altitude;
+  float high = r + (of.before + t) * of.direction.y;
+  return table_from_space() ? scene.planet.ground_radius * r / max(high * high, 1e-6) : 1.0;
+}
+
 // Leaps over empty cells to the next step; false: no step is left before `end`.
 bool next_step(inout March m, AirRay of, float end) {
   CloudData c = cloud();
-  float radius = scene.planet.ground_radius;
   uvec3 cells = gap_cells();
   vec3 per_km = vec3(cells) / vec3(c.width, c.depth, c.top - c.base);
   bool leaps = true;
@@ -89,17 +105,16 @@ bool next_step(inout March m, AirRay of, float end) {
   while (leaps && m.t < end) {
     float growth = growth_after(m.turns);
     m.turns += 1.0;
-    m.size = min(min(m.size, step_in_water(m.near_inside, m.t) * growth), end - m.t);
-    vec3 middle = cloud_place(radius, c, scene.camera.altitude, of.direction, m.t + 0.5 * m.size);
-    float climb = abs(of.direction.y) + m.t / radius;
-    float leap = empty_cells(middle) /
-                 max(max(abs(of.direction.x) * per_km.x, abs(of.direction.z) * per_km.y), climb * per_km.z);
+    m.size = min(min(m.size, step_in_water(m.near_inside, of.before + m.t) * growth), end - m.t);
+    vec3 middle = seen_in(c, of.direction, of.before + m.t + 0.5 * m.size);
+    vec2 along = abs(of.direction.xz) * per_km.xy * widened(of, m.t);
+    float leap = empty_cells(middle) / max(max(along.x, along.y), steepest(of, m.t) * per_km.z);
     leaps = leap > m.size;
     m.t += leaps ? leap : 0.0;
     m.near = leaps ? 0.0 : m.near;
     m.near_inside = leaps ? 0.0 : m.near_inside;
     m.near_sun = leaps ? -1.0 : m.near_sun;
-    m.size = leaps ? max(step, m.t * step_rise) * growth : m.size;
+    m.size = leaps ? step_at(of, m.t) * growth : m.size;
   }
   return !leaps;
 }
@@ -107,12 +122,11 @@ bool next_step(inout March m, AirRay of, float end) {
 // One step: the cloud's light along it, or a shorter size to try again with.
 void take_step(inout March m, AirRay of, SunOnSpan sun) {
   CloudData c = cloud();
-  float radius = scene.planet.ground_radius;
-  vec3 end = cloud_place(radius, c, scene.camera.altitude, of.direction, m.t + m.size);
-  Water water = water_on_ray(end, m.t + m.size);
+  vec3 end = seen_in(c, of.direction, of.before + m.t + m.size);
+  Water water = water_on_ray(end, of.before + m.t + m.size);
   float depth = 0.5 * (m.near + water.extinction) * c.scale * m.size;
   float growth = growth_after(m.turns);
-  float least = min(m.size, max(step, m.t * step_rise) * kLeastStep * growth);
+  float least = min(m.size, step_at(of, m.t) * kLeastStep * growth);
   // Where the cloud begins or ends, a line between the step's ends is far from its density.
   float most = min(m.near, water.extinction) > 0.0 ? kStepDepth : kEdgeDepth;
   if (depth > most && m.size > least) {
@@ -124,7 +138,7 @@ void take_step(inout March m, AirRay of, SunOnSpan sun) {
   if (meets) {
     far_sun = shade_at(end, seen_at(sun, m.t + m.size));
     if (m.near_sun < 0.0) {
-      m.near_sun = shade_at(cloud_place(radius, c, scene.camera.altitude, of.direction, m.t), seen_at(sun, m.t));
+      m.near_sun = shade_at(seen_in(c, of.direction, of.before + m.t), seen_at(sun, m.t));
     }
   }
   float shade = abs(far_sun - m.near_sun);
@@ -144,7 +158,7 @@ void take_step(inout March m, AirRay of, SunOnSpan sun) {
   m.near = water.extinction;
   m.near_inside = water.inside;
   m.t += m.size;
-  m.size = min(max(step, m.t * step_rise) * growth, m.size * clamp(kStepDepth / max(depth, 1e-6), 1.0, 2.0));
+  m.size = min(step_at(of, m.t) * growth, m.size * clamp(kStepDepth / max(depth, 1e-6), 1.0, 2.0));
 }
 
 // Steps are as long as `step` says, or shorter where the cloud is thick. Density and the depth toward the sun are
@@ -153,7 +167,7 @@ void take_step(inout March m, AirRay of, SunOnSpan sun) {
 Walk crossed(Walk walk, CloudCrossing span, AirRay of, SunOnSpan sun) {
   March m;
   m.t = span.from;
-  m.size = max(step, m.t * step_rise);
+  m.size = step_at(of, m.t);
   m.near = 0.0;
   m.near_inside = 0.0;
   m.near_sun = -1.0;
@@ -161,10 +175,9 @@ Walk crossed(Walk walk, CloudCrossing span, AirRay of, SunOnSpan sun) {
   m.turns = 0.0;
   m.stretch = nothing_gathered(walk.transmittance);
   m.part = empty_part();
-  float part_length = length_of_parts(of.direction, span.from);
+  float part_length = length_of_parts(of.direction, steepest(of, span.from));
   if (m.t < span.to) {
-    vec3 place = cloud_place(scene.planet.ground_radius, cloud(), scene.camera.altitude, of.direction, m.t);
-    Water water = water_on_ray(place, m.t);
+    Water water = water_on_ray(seen_in(cloud(), of.direction, of.before + m.t), of.before + m.t);
     m.near = water.extinction;
     m.near_inside = water.inside;
   }
@@ -198,8 +211,7 @@ Walk crossed(Walk walk, CloudCrossing span, AirRay of, SunOnSpan sun) {
     }
     for (uint i = 0u; i < parts.count; i++) {
       CloudPart part = parts.of[i];
-      CloudSource source = source_at(
-          cloud_place(scene.planet.ground_radius, cloud(), scene.camera.altitude, of.direction, part.reach / part.taken));
+      CloudSource source = source_at(seen_in(cloud(), of.direction, of.before + part.reach / part.taken));
       if (part.sheet < sheets.count) {
         sheets.of[part.sheet] = with_cloud_source(sheets.of[part.sheet], source, part.taken);
       } else {
@@ -253,7 +265,7 @@ PastCloud past_cloud(AirRay of, float end) {
 #ifdef AIRLIGHT_CLOUD_APART
   past.cloud = (walk.light - walk.seen) * scene.sun.irradiance;
   past.ground = vec3(0.0);
-  past.reach = walk.reach / max(1.0 - walk.transmittance, 1e-6);
+  past.reach = of.before + walk.reach / max(1.0 - walk.transmittance, 1e-6);
 #endif
   bool known = kAirByRay == 0u && kShowsAirAlone && !of.ray.at_ground;
   if (past.through > 0.0 && (!known || kFurther == 1u)) {
@@ -265,7 +277,7 @@ PastCloud past_cloud(AirRay of, float end) {
     past.taken = (had - stop.before.light + walk.air) * scene.sun.irradiance;
 #if !defined(AIRLIGHT_THINGS) && !defined(AIRLIGHT_CLOUD_SPANS)
     if (kFurther == 0u && of.ray.at_ground) {
-      vec3 more = stop.before.transmittance * ground_change(of.ray, of.direction) * scene.sun.irradiance;
+      vec3 more = stop.before.transmittance * ground_change(of) * scene.sun.irradiance;
       past.taken -= more;
 #ifdef AIRLIGHT_CLOUD_APART
       past.ground = more * past.through;
@@ -279,6 +291,14 @@ PastCloud past_cloud(AirRay of, float end) {
   return past;
 }
 
+// The ray's direction in the cloud, whose vertical is that of the place. Near the camera the two verticals are alike.
+vec3 direction_in_cloud(AirRay of) {
+  float r = scene.planet.ground_radius + of.ray.h;
+  float mu = clamp((r * of.ray.mu + of.way.from) / (scene.planet.ground_radius + highest_cloud().top), -1.0, 1.0);
+  float level = sqrt((1.0 - mu * mu) / max(dot(of.direction.xz, of.direction.xz), 1e-12));
+  return table_from_space() ? vec3(of.direction.x * level, mu, of.direction.z * level) : of.direction;
+}
+
 // Begins with the ray of a pixel.
 AirRay ray_through_clouds(uvec2 pixel, vec3 direction) {
   here = pixel;
@@ -286,12 +306,14 @@ AirRay ray_through_clouds(uvec2 pixel, vec3 direction) {
   of.ray = air_ray(direction);
   of.at = factor_place(direction);
   of.direction = direction;
+  of.before = way_to_air(direction);
   of.way = shaded_way(scene.planet.ground_radius, highest_cloud(), of.ray.h, of.ray.mu, max(of.ray.length_, 0.0));
   if (kAirByRay == 0u) {
     of = among_froxels(of);
   }
+  vec3 along = direction_in_cloud(of);
   UNROLL for (uint q = 0u; q < kCloudMoments; q++) {
-    seen_harmonics[q] = cloud_harmonic(q, vec3(-direction.x, direction.z, -direction.y));
+    seen_harmonics[q] = cloud_harmonic(q, vec3(-along.x, along.z, -along.y));
   }
 #ifdef AIRLIGHT_THINGS
   seen_sight = sight_of(vec3(0.0), direction);

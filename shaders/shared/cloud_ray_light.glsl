@@ -6,20 +6,22 @@ struct Before {
   vec3 transmittance;
 };
 
-// Of a ray whose shade is found along it, and of a slice. With AIRLIGHT_FEW_SLICES, for what mirrors show, fewer.
+// Of a ray whose shade is found along it, and of a slice. With AIRLIGHT_FEW_SLICES, for what mirrors show, fewer; and
+// from space, where the clouds' shade is in the last few km of a ray, or in pixels of many clouds.
 #ifdef AIRLIGHT_FEW_SLICES
-const float kRaySlices = 12.0;
-const uint kRayParts = 1u;
+bool few_slices() { return true; }
 #else
-const float kRaySlices = 32.0;
-const uint kRayParts = 2u;
+bool few_slices() { return table_from_space(); }
 #endif
+float ray_slices() { return few_slices() ? 12.0 : 32.0; }
+uint ray_parts() { return few_slices() ? 1u : 2u; }
 
 // What walks through the air along a pixel's ray read.
 struct AirRay {
   Ray ray;
   FactorPlace at;
   vec3 direction;
+  float before;  // way_to_air()
   ShadedWay way;
   float row;  // of froxels; between the two around it the pixel stands
   bool near_edge;  // of the planet; else both rows count as the ray's own
@@ -27,16 +29,27 @@ struct AirRay {
   ShadedWay lower;
 };
 
-// The slices of a ray on its own are fine at the camera.
+// The slices of a ray on its own are fine at the camera; from space, where the ray falls below the cloud's top.
 ShadedAir further(ShadedAir air, AirRay of, float distance_) {
   ShadedWay way = of.way;
-  way.from = 0.0;
+  if (table_from_space()) {
+    for (uint i = 1u; i <= kStepsAbove; i++) {
+      float to = min(way_above(way, float(i) / float(kStepsAbove)), distance_);
+      if (to > air.distance_) {
+        air = shaded_up_to(air, of.ray, of.at, of.direction, of.before, to, ray_parts());
+      }
+    }
+  } else {
+    way.from = 0.0;
+  }
   float from = shaded_coordinate(way, air.distance_);
   float to = shaded_coordinate(way, distance_);
-  uint steps = uint(clamp(ceil((to - from) * kRaySlices), 0.0, kRaySlices));
+  float slices = ray_slices();
+  uint steps = uint(clamp(ceil((to - from) * slices), 0.0, slices));
   for (uint i = 1u; i <= steps; i++) {
     float z = mix(from, to, float(i) / float(steps));
-    air = shaded_up_to(air, of.ray, of.at, of.direction, i < steps ? shaded_distance(way, z) : distance_, kRayParts);
+    float next = i < steps ? shaded_distance(way, z) : distance_;
+    air = shaded_up_to(air, of.ray, of.at, of.direction, of.before, next, ray_parts());
   }
   return air;
 }
@@ -89,7 +102,7 @@ vec3 share_by_froxels(AirRay of, float distance_) {
 // Share of the sun that things leave at a point of the ray.
 float sun_past_things_at(AirRay of, float t) {
 #ifdef AIRLIGHT_THINGS
-  Place place = place_at(scene.planet, scene.camera.altitude, of.direction * t);
+  Place place = place_at(scene.planet, scene.camera.altitude, of.direction * (of.before + t));
   return sun_past_things(scene.planet, scene.camera.altitude, scene.sun, place, kNoBody);
 #else
   return 1.0;
@@ -121,14 +134,18 @@ CloudColour colour_at(AirRay of, float t) {
   if (kFields > 1u) {
     // What the other fields scatter forward lights the cloud as the sun does. Of the sun's light counts what they leave
     // of it here; all else is even over the sky, and its mean is taken.
-    OtherFields past = past_other_fields(of.direction, t, point.h, point.mu_sun);
+    OtherFields past = past_other_fields(of.direction, of.before + t, point.h, point.mu_sun);
     vec3 level = colour.sun * max(seen_sun_mu(scene.planet, h, point.mu_sun), 0.0);
     vec3 clear = level + colour.sky * kPi;
     colour.ground = max(colour.ground + clear * past.up * light_of_cloud().below / kPi, vec3(0.0)) * past.below;
     colour.sky = max(clear * past.below - level * past.forward, vec3(0.0)) / kPi;
     colour.sun *= exp(-past.turning);
   }
-  colour.more = colour.sun * sun_past_field(height, h, point.mu_sun);
+  float of_tables = sun_past_field(height, h, point.mu_sun);
+  if (table_from_space()) {
+    of_tables = sun_taken_here(h, point.mu_sun);
+  }
+  colour.more = colour.sun * of_tables;
   return colour;
 }
 
@@ -142,9 +159,11 @@ vec3 coloured(CloudGathered g, CloudColour colour, float lit) {
 }
 
 // The change of the ground's light by the cloud, at the ground, for a sun of irradiance 1.
-vec3 ground_change(Ray ray, vec3 direction) {
+vec3 ground_change(AirRay of) {
+  Ray ray = of.ray;
+  float distance_ = of.before + ray.length_;
   RayPoint point = sunlit_among_things(scene.planet, ray, ray.length_);
-  vec3 place = cloud_place(scene.planet.ground_radius, cloud(), ray.h, direction, ray.length_);
+  vec3 place = seen_in(cloud(), of.direction, distance_);
   vec3 direct = transmittance_to_sun(scene.planet, 0.0, point.mu_sun) * ground_facing(scene.planet, point.mu_sun);
   vec3 sky = moment_ground_irradiance(scene.moments, point.mu_sun);
   vec3 clear = direct + sky;
@@ -152,7 +171,7 @@ vec3 ground_change(Ray ray, vec3 direction) {
   CloudLight light = light_of_cloud();
   vec3 near_sun = min(direct * light.near_sun, sky);
   if (kFields > 1u) {
-    OtherFields past = past_other_fields(direction, ray.length_, 0.0, point.mu_sun);
+    OtherFields past = past_other_fields(of.direction, distance_, 0.0, point.mu_sun);
     lit *= exp(-past.shade);
     light.below *= past.below;
     light.direct *= past.direct;

@@ -34,6 +34,20 @@ float cloud_shade(vec3 place, float h, float mu_sun) {
   return cloud_shade_of(place, h, seen_sun_mu(scene.planet, h, mu_sun));
 }
 
+// The share of sunlight that the field takes out along such a way, over that way.
+float taken_of_sun(CloudData c, float way) { return (1.0 - exp(-mean_shade(c, way))) / max(way, 1e-6); }
+
+// The sunlight that the field takes out where the sun is as high as here, over that under the sun of its tables. From
+// space the sun is as high as in these in the middle of the picture alone.
+float sun_taken_here(float h, float mu_sun) {
+  const float kMost = 16.0;
+  CloudData c = cloud();
+  float way = way_through_shell(scene.planet.ground_radius, c, c.base, seen_sun_mu(scene.planet, h, mu_sun));
+  float straight = (c.top - c.base) * length(vec3(c.sunward_east, c.sunward_north, 1.0));
+  float there = max(taken_of_sun(c, straight), 1e-9);
+  return c.repeats == 0u ? 1.0 : min(taken_of_sun(c, way) / there, kMost);
+}
+
 // What is left of the sun's light in the middle of the cloud, over what is left there along the table's rays: the light
 // scattered more than once goes by these. `h`: the altitude as the tables have it.
 float sun_past_field(float height, float h, float mu_sun) {

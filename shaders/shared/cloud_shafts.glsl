@@ -3,6 +3,19 @@
 #include "shared/cloud_balance.glsl"
 #include "shared/cloud_stack.glsl"
 
+// Distances along a ray count from where it enters the air, as its part in the air does: so far from the camera, km.
+float way_to_air(vec3 direction) {
+  return table_from_space() ? air_entry(scene.planet, scene.camera.altitude, direction.y).distance_ : 0.0;
+}
+
+// Up to where a ray from above the cloud falls below its top there are so many slices. The air is densest at the camera's
+// end only for a camera inside it.
+const uint kStepsAbove = 8u;
+
+float way_above(ShadedWay way, float share) {
+  return way.from * (table_from_space() ? share * (2.0 - share) : share * share);
+}
+
 // Light of the air without clouds up to a distance, for a sun of irradiance 1.
 struct ClearAir {
   vec3 once;
@@ -34,9 +47,19 @@ ClearAir clear_air_up_to(Ray ray, FactorPlace at, float distance_) {
   return air;
 }
 
-// Optical length of a ray up to a true distance. A ray's own length is optical: there the ray ends.
+// Optical length of a ray up to a distance. A ray's own length is optical: there the ray ends. From space a place is
+// known by its altitude: of a ray near the planet's edge, its true length would differ by more than the clouds' height.
 float optical_up_to(Ray ray, float distance_) {
-  return distance_ < ray.length_ ? optical_length(scene.planet, ray.h, ray.mu, distance_) : ray.length_;
+  float t = distance_;
+  if (!table_from_space()) {
+    t = optical_length(scene.planet, ray.h, ray.mu, distance_);
+  } else if (bends_light()) {
+    float g = optical_altitude_at(point_on_ray(scene.planet, ray, distance_).h);
+    CloudCrossing level = sphere_crossing(scene.planet.ground_radius, ray.h, ray.mu, g);
+    float lowest = lowest_distance(scene.planet, ray);
+    t = level.from > level.to ? lowest : distance_ < lowest ? level.from : level.to;
+  }
+  return distance_ < ray.length_ ? t : ray.length_;
 }
 
 // Light of the air up to a distance.
@@ -84,7 +107,8 @@ MoreAir more_air(Ray ray, ShadedAir air, ClearAir next, float to) {
 }
 
 // Goes on to a distance; the sun is asked for in the middles of so many parts, all other light in the middle of all.
-ShadedAir shaded_up_to(ShadedAir air, Ray ray, FactorPlace at, vec3 direction, float to, uint parts) {
+// `before`: way_to_air().
+ShadedAir shaded_up_to(ShadedAir air, Ray ray, FactorPlace at, vec3 direction, float before, float to, uint parts) {
   float width = (to - air.distance_) / float(parts);
   float lit = 0.0;
   float sunny = 0.0;  // parts that the planet does not hide from the sun: light scattered once comes from these alone
@@ -92,18 +116,18 @@ ShadedAir shaded_up_to(ShadedAir air, Ray ray, FactorPlace at, vec3 direction, f
   for (uint i = 0u; i < parts; i++) {
     float t = air.distance_ + (float(i) + 0.5) * width;
     RayPoint point = sunlit_among_things(scene.planet, ray, t);
-    vec3 place = cloud_place(scene.planet.ground_radius, cloud(), ray.h, direction, t);
+    vec3 place = seen_in(cloud(), direction, before + t);
     float counts = meets_ground(scene.planet, point.h, seen_sun_mu(scene.planet, point.h, point.mu_sun)) ? 0.0 : 1.0;
     float shade = cloud_shade(place, point.h, point.mu_sun);
     if (kFields > 1u) {
-      OtherFields past = past_other_fields(direction, t, point.h, point.mu_sun);
+      OtherFields past = past_other_fields(direction, before + t, point.h, point.mu_sun);
       shade += past.shade;
       others += (past.air - 1.0) / float(parts);
     }
     lit += counts * exp(-shade);
     sunny += counts;
   }
-  vec3 middle = cloud_place(scene.planet.ground_radius, cloud(), ray.h, direction, 0.5 * (air.distance_ + to));
+  vec3 middle = seen_in(cloud(), direction, before + 0.5 * (air.distance_ + to));
   MoreLight more = more_light_at(middle);
   lit /= max(sunny, 1.0);
   ClearAir next = clear_air_up_to(ray, at, optical_up_to(ray, to));

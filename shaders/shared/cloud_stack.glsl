@@ -23,6 +23,11 @@ struct OtherFields {
   vec3 air;       // likewise by the fields above and below
 };
 
+// A place, so far from the camera, in the units of a cloud's grid.
+vec3 seen_in(CloudData c, vec3 direction, float distance_) {
+  return cloud_place(scene.planet.ground_radius, c, scene.camera.altitude, direction, distance_);
+}
+
 CloudData highest_cloud() {
   if (kFields > 1u) {
     return cloud_fields.values[kFields - 1u];
@@ -37,7 +42,7 @@ OtherFields past_field(OtherFields sum, uint field, sampler3D rays, sampler2D me
   }
   CloudData c = cloud_fields.values[field];
   CloudLight light = cloud_light.values[field];
-  vec3 place = cloud_place(scene.planet.ground_radius, c, scene.camera.altitude, direction, distance_);
+  vec3 place = seen_in(c, direction, distance_);
   float height = clamp(place.z, 0.0, 1.0);
   float shade = shade_in(rays, means, c, place, h, seen_sun_mu(scene.planet, h, mu_sun));
   sum.shade += shade;

@@ -5,7 +5,7 @@
 // A place, from the camera, in the grid's units.
 vec3 place_in_cloud(vec3 point) {
   float distance_ = max(length(point), 1e-6);
-  return cloud_place(scene.planet.ground_radius, cloud(), scene.camera.altitude, point / distance_, distance_);
+  return seen_in(cloud(), point / distance_, distance_);
 }
 
 OtherFields past_other_fields_at(Place place, PlaceSun sun) {

@@ -195,8 +195,6 @@ TEST(BadInput, PresetsAreOneLineAndExitCodeTwo) {
        {"type": "cumulus",
         "base_km": 2.5, "top_km": 3.5}, {"type": "cumulus", "cover": 0, "base_km": 1, "top_km": 9}])"),
        {":2: /clouds/1/base_km: ", "from 3 to 4 km begins below the top of the one from 2.5 to 3.5", "path-trace"}},
-      {preset_with(R"("clouds": [{"type": "cumulus"}], "camera": {"altitude_km": 300})"),
-       {"/camera/altitude_km", "lower the camera", "path-trace"}},
   };
   const Scratch scratch;
   for (const BadPreset& row : rows) {

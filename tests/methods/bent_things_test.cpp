@@ -157,7 +157,7 @@ TEST(BentThings, TheJudgeGoesAlongExactRays) {
 
 // optical_length() on the device's formulas against the quadrature of many steps, from the ground to space.
 TEST(BentThings, LengthsAreThoseOfTheRay) {
-  for (const double camera : {0.0, 1.5, 12.0, 400.0}) {
+  for (const double camera : {0.0, 1.5, 12.0, 30.0, 90.0, 120.0, 400.0, 2000.0}) {
     Scene scene = bent_range("orders", 20.0);
     scene.camera.altitude = camera;
     for (const bool things : {true, false}) {
@@ -178,8 +178,12 @@ TEST(BentThings, LengthsAreThoseOfTheRay) {
           // Where steep rays leave the air, which is thin there, Simpson's rule is off by some of the length.
           const auto ray = p.ray_in_atmosphere(p.scene.planet, h, mu, 0.0, 0.0);
           const double end = p.point_on_ray(p.scene.planet, ray, optical - (all - ray.length_)).h;
-          const double most = camera < 100.0 && p.true_altitude(end).h < 12.0 ? 2e-3 : 0.03;
+          const double altitude = p.true_altitude(end).h;
+          const double most = camera < 100.0 && altitude < 12.0 ? 2e-3 : 0.03;
           EXPECT_NEAR(found, optical, most * optical + 1e-9) << camera << ", " << elevation_deg << ", " << share;
+          const double there = p.true_altitude(p.point_on_ray(p.scene.planet, ray, found - (all - ray.length_)).h).h;
+          EXPECT_TRUE(altitude > 12.0 || std::abs(there - altitude) < 0.025)
+              << camera << ", " << elevation_deg << ", " << share << ": " << there << " for " << altitude;
         }
       }
       for (const double h : {0.0, 0.5, 4.0, 20.0, 80.0}) {
