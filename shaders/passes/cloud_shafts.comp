@@ -24,6 +24,8 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = 26) uniform writeonly image3D shafts_out;
 
+const uint kStepsAbove = 8u;  // up to where a ray from above the cloud falls below its top
+
 layout(push_constant, scalar) uniform Push { uint parts; };  // of a slice
 
 void main() {
@@ -41,7 +43,8 @@ void main() {
   float before = way_to_air(direction);
   uint steps = way.from > 0.0 ? kStepsAbove : 0u;
   for (uint i = 1u; i <= steps; i++) {
-    air = shaded_up_to(air, ray, of, direction, before, way_above(way, float(i) / float(steps)), parts);
+    float share_of_way = float(i) / float(steps);
+    air = shaded_up_to(air, ray, of, direction, before, way.from * share_of_way * share_of_way, parts);
   }
   // From below the top the first slice is of no length: it has the share of the second.
   uint first = steps > 0u ? 0u : 1u;

@@ -13,7 +13,7 @@ bool few_slices() { return true; }
 #else
 bool few_slices() { return table_from_space(); }
 #endif
-float ray_slices() { return few_slices() ? 12.0 : 32.0; }
+float ray_slices() { return table_from_space() && kFields == 1u ? 8.0 : few_slices() ? 12.0 : 32.0; }
 uint ray_parts() { return few_slices() ? 1u : 2u; }
 
 // What walks through the air along a pixel's ray read.
@@ -29,12 +29,15 @@ struct AirRay {
   ShadedWay lower;
 };
 
+const uint kStepsFromSpace = 4u;  // up to where a ray falls below the cloud's top
+
 // The slices of a ray on its own are fine at the camera; from space, where the ray falls below the cloud's top.
 ShadedAir further(ShadedAir air, AirRay of, float distance_) {
   ShadedWay way = of.way;
   if (table_from_space()) {
-    for (uint i = 1u; i <= kStepsAbove; i++) {
-      float to = min(way_above(way, float(i) / float(kStepsAbove)), distance_);
+    for (uint i = 1u; i <= kStepsFromSpace; i++) {
+      float left = 1.0 - float(i) / float(kStepsFromSpace);
+      float to = min(way.from * (1.0 - left * left * left), distance_);
       if (to > air.distance_) {
         air = shaded_up_to(air, of.ray, of.at, of.direction, of.before, to, ray_parts());
       }

@@ -8,14 +8,6 @@ float way_to_air(vec3 direction) {
   return table_from_space() ? air_entry(scene.planet, scene.camera.altitude, direction.y).distance_ : 0.0;
 }
 
-// Up to where a ray from above the cloud falls below its top there are so many slices. The air is densest at the camera's
-// end only for a camera inside it.
-const uint kStepsAbove = 8u;
-
-float way_above(ShadedWay way, float share) {
-  return way.from * (table_from_space() ? share * (2.0 - share) : share * share);
-}
-
 // Light of the air without clouds up to a distance, for a sun of irradiance 1.
 struct ClearAir {
   vec3 once;

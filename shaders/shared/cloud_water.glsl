@@ -3,9 +3,12 @@
 
 const float kEdgeStep = 0.3;    // of `step`, the most of a step in a carved edge
 const float kEdgeRise = 0.006;  // of that over the distance
-// km: from the first to the second the edge passes into means, its finer lobes into theirs.
+// km: from the first to the second the edge passes into means, its finer lobes into theirs. Lobes of more than kTile are
+// as small as these farther off.
 const vec2 kCarvedRange = vec2(25.0, 50.0);
 const vec2 kFinerRange = vec2(6.0, 12.0);
+const float kTile = 1.25;  // km
+const float kFromSpace = 8.0;  // so much farther they count from space
 
 // Water at a place of a ray: extinction, 1/km, and how far inside the cloud the place is, km.
 struct Water {
@@ -13,6 +16,12 @@ struct Water {
   float inside;
 };
 
+float looks_as_far(float t) {
+  CloudData c = cloud();
+  return t / (max(c.width / max(c.edge.tiles, 1.0) / kTile, 1.0) * (table_from_space() ? kFromSpace : 1.0));
+}
+
+// At distance t, km, from the camera.
 Water water_on_ray(vec3 place, float t) {
   Water water;
   water.extinction = 0.0;
@@ -23,9 +32,10 @@ Water water_on_ray(vec3 place, float t) {
   vec2 mean = water_at(place);
   water.extinction = mean.x;
   water.inside = mean.y;
-  if (kCarved == 1u && t < kCarvedRange.y) {
-    float fine = carved_extinction(place, mean.y, 1.0 - smoothstep(kFinerRange.x, kFinerRange.y, t));
-    water.extinction = mix(fine, mean.x, smoothstep(kCarvedRange.x, kCarvedRange.y, t));
+  float near = looks_as_far(t);
+  if (kCarved == 1u && near < kCarvedRange.y) {
+    float fine = carved_extinction(place, mean.y, 1.0 - smoothstep(kFinerRange.x, kFinerRange.y, near));
+    water.extinction = mix(fine, mean.x, smoothstep(kCarvedRange.x, kCarvedRange.y, near));
   }
   return water;
 }
@@ -34,7 +44,8 @@ Water water_on_ray(vec3 place, float t) {
 float step_in_water(float inside, float t) {
   CloudEdge edge = cloud().edge;
   float away = max(-inside, inside - edge.carving - edge.soft);
-  return kCarved == 1u && t < kCarvedRange.y ? max(max(step * kEdgeStep, t * kEdgeRise), away) : 1e9;
+  float near = looks_as_far(t);
+  return kCarved == 1u && near < kCarvedRange.y ? max(max(step * kEdgeStep, near * kEdgeRise), away) : 1e9;
 }
 
 // The cosine of the sun's zenith distance as it is seen along a ray, which is as good as even between two distances.
