@@ -35,7 +35,7 @@ const float kEdgeDepth = 0.1;   // likewise where the cloud begins or ends
 const float kSunStep = 1.0;     // scaled, the most by which the depth toward the sun may change along a step
 const float kShaded = 5.0;      // where it is more than this, no sunlight is left that counts
 const float kLeastStep = 0.15;  // of `step`
-const float kHeightShare = 0.125;
+const float kHeightShare = 0.125;  // of the cloud's height, the longest of `step` from space
 #ifdef AIRLIGHT_THINGS
 const bool kShowsAirAlone = false;  // pixels that do not show the ground
 #else

@@ -3,12 +3,12 @@
 
 const float kEdgeStep = 0.3;    // of `step`, the most of a step in a carved edge
 const float kEdgeRise = 0.006;  // of that over the distance
-// km: from the first to the second the edge passes into means, its finer lobes into theirs. Lobes of more than kTile are
-// as small as these farther off.
+// km: from the first to the second the edge passes into means, its finer lobes into theirs. These hold for noise whose
+// tiles are kTile wide at most; lobes of wider tiles are seen from as much farther off.
 const vec2 kCarvedRange = vec2(25.0, 50.0);
 const vec2 kFinerRange = vec2(6.0, 12.0);
 const float kTile = 1.25;  // km
-const float kFromSpace = 8.0;  // so much farther they count from space
+const float kFromSpace = 8.0;  // both ranges from space are so many times as long
 
 // Water at a place of a ray: extinction, 1/km, and how far inside the cloud the place is, km.
 struct Water {
@@ -16,6 +16,7 @@ struct Water {
   float inside;
 };
 
+// The distance from which lobes of tiles of kTile would look as large as this cloud's from distance t, km.
 float looks_as_far(float t) {
   CloudData c = cloud();
   return t / (max(c.width / max(c.edge.tiles, 1.0) / kTile, 1.0) * (table_from_space() ? kFromSpace : 1.0));
