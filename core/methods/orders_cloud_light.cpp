@@ -341,7 +341,7 @@ ImageId add_sums(Plan& plan, const CloudInputs& inputs, const Fields& fields, Im
 }
 
 void add_balance(Plan& plan, const Part& part, const Light& light, const CloudInputs& inputs, ImageId sums,
-                 const std::vector<Specialization>& which, BufferId balance) {
+                 const std::vector<Specialization>& which, double open, BufferId balance) {
   std::vector<Specialization> constants = sunlight_specialization(plan, part.air, light.transmittance);
   add_moment_constants(constants, settings_of(part));
   constants.insert(constants.end(), which.begin(), which.end());
@@ -354,7 +354,8 @@ void add_balance(Plan& plan, const Part& part, const Light& light, const CloudIn
                  .reads = std::move(reads),
                  .writes = {{"light_out", balance}},
                  .grid = {1, 1, 1},
-                 .push_constants = {push_constant(std::sin(sun_over_clouds(part.scene).elevation))},
+                 .push_constants = {push_constant(std::sin(sun_over_clouds(part.scene).elevation)),
+                                    push_constant(open)},
                  .specialization = std::move(constants)});
 }
 
@@ -429,7 +430,9 @@ FieldStart start_of(const Part& part, const StandingCloud& cloud) {
 }
 
 // The tables of one field and the light in it. Returns what its own passes read of them.
-CloudInputs add_field(Plan& plan, const Part& part, const Light& light, FieldStart& start, BufferId balance) {
+// `open`: km, the base of the field above it, or the air's top.
+CloudInputs add_field(Plan& plan, const Part& part, const Light& light, FieldStart& start, double open,
+                      BufferId balance) {
   LitCloud& lit = start.lit;
   const std::string sun_key =
       sun_key_of(lit.key, start.matter.drops, start.to_sun, part.scene.render.get<TableSize>("cloud_lut"));
@@ -438,7 +441,7 @@ CloudInputs add_field(Plan& plan, const Part& part, const Light& light, FieldSta
   lit.sources = add_sources(plan, fields, sun_key);
   inputs.around = add_around(plan, inputs, fields, sun_key);
   add_balance(plan, part, light, inputs, add_sums(plan, inputs, fields, inputs.around, sun_key), lit.constants,
-              balance);
+              open, balance);
   lit.phase = add_phase(plan, start.matter);
   return inputs;
 }
@@ -459,7 +462,8 @@ std::vector<LitCloud> add_cloud_light(Plan& plan, const Part& part, const Light&
     plan.tell_apart(i > 0 ? " " + std::to_string(i + 1) : "");
     starts[i].lit.name = i > 0 ? " " + std::to_string(i + 1) : "";
     starts[i].lit.constants = {{"kFields", count}, {"kField", i}};
-    inputs.push_back(add_field(plan, part, light, starts[i], balance));
+    const double open = i + 1 < count ? starts[i + 1].lit.grid->base : part.scene.planet.atmosphere_height;
+    inputs.push_back(add_field(plan, part, light, starts[i], open, balance));
   }
   plan.tell_apart("");
   std::vector<LitCloud> all;

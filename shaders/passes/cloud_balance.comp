@@ -14,7 +14,10 @@
 #include "shared/cloud_around.glsl"
 
 layout(local_size_x = 64) in;
-layout(push_constant, scalar) uniform Push { float mu_sun; };  // where the clouds' light is found
+layout(push_constant, scalar) uniform Push {
+  float mu_sun;  // where the clouds' light is found
+  float open;    // km, altitude up to which there is air alone above the field
+};
 layout(set = 0, binding = 17) uniform sampler2D cloud_sums_lut;  // passes/cloud_sums.comp
 layout(scalar, set = 0, binding = 18) buffer Light { CloudLight values[]; } light_out;  // of fields, the lowest first
 
@@ -67,6 +70,25 @@ vec3 even_transmittance(vec3 depth) {
   return exp(-x) * (vec3(1.0) - x * log(vec3(1.0) + 0.5614595 / x));
 }
 
+// Of light from below that is even over a hemisphere, what the air between two altitudes, km, sends down again, for it
+// and for a level plane: half of what it turns. Forward scattering counts as none, by the similarity of 1 - chi_1.
+vec3 sent_back(float low, float high) {
+  const uint kSteps = 32u;
+  vec3 turning = vec3(0.0);
+  for (uint k = 0u; k < kSteps; k++) {
+    float at = (float(k) + 0.5) / float(kSteps);
+    Densities d = densities_at(low + (high - low) * at * at);
+    UNROLL for (uint i = 0u; i < kMaxMedia; i++) {
+      if (i < medium_count()) {
+        MediumData m = medium(i);
+        turning += m.scattering * (vec3(1.0) - m.legendre[1]) * (d.of[i] * 2.0 * at / float(kSteps));
+      }
+    }
+  }
+  turning *= max(high - low, 0.0);
+  return 0.5 * (vec3(1.0) - exp(-turning) + turning * even_transmittance(turning));
+}
+
 void main() {
   if (gl_GlobalInvocationID.x > 0u) {
     return;
@@ -85,17 +107,33 @@ void main() {
   // The ordinates' sun has irradiance 1 across its rays.
   float across = length(vec3(c.sunward_east, c.sunward_north, 1.0));
   float through = sum.w + sum.x * across;
-  vec3 first = (direct * through + sky * sum.y / kPi) / clear;
+  vec3 to_and_fro = max(vec3(1.0) - up / clear * (sum.z / kPi), vec3(0.05));  // between ground and field
+  vec3 below = (direct * through + sky * sum.y / kPi) / clear / to_and_fro;
+
+  // What the field adds to the light that rises from its top, which the air above sends down again in part.
+  float top = optical_altitude_at(c.top);
+  vec3 sun_above = beam_at(top, mu_sun) * facing;
+  vec3 falling_sky = sky_at(top, mu_sun, facing);
+  vec3 clear_above = max(sun_above + falling_sky, vec3(1e-30));
+  vec4 risen = texelFetch(cloud_sums_lut, ivec2(2, 0), 0);
+  vec3 added = sun_above * (risen.x * across) + falling_sky * (risen.y / kPi) + up * (below * (risen.z / kPi) - 1.0);
+  vec3 let_through = vec3(sum.y / kPi) / to_and_fro;
+  vec3 again = vec3(risen.y / kPi) + up / clear * let_through * (risen.z / kPi);
+  vec3 back = sent_back(c.top, open);
+  vec3 returned = max(back * added / (vec3(1.0) - back * again), -falling_sky);
+  if (c.repeats == 0u) {
+    returned = vec3(0.0);  // one cloud alone sends little: the air above spreads it over many times its width
+  }
   CloudLight light;
-  light.below = first / max(vec3(1.0) - up / clear * (sum.z / kPi), vec3(0.05));
+  light.below = below + returned / clear * let_through;
+  light.above = (added + returned * again) / clear_above;
+  light.returned = returned / clear_above;
   light.direct = sum.w;
   vec3 sun_on_ground = transmittance_to_sun(scene.planet, 0.0, mu_sun);
   light.near_sun = (beam_at(0.0, mu_sun) - sun_on_ground) / max(sun_on_ground, vec3(1e-20));
   light.forward = texelFetch(cloud_sums_lut, ivec2(1, 0), 0).w;
-  float top = optical_altitude_at(c.top);
   Sides base = sides_at(h, mu_sun);
   Sides summit = sides_at(top, mu_sun);
-  vec3 sun_above = beam_at(top, mu_sun) * facing;
   // Of the light from above at the base, and from below at the top, the rest comes from the air in between.
   vec3 between = max(depth_above(h) - depth_above(top), vec3(0.0));
   vec3 through_air = even_transmittance(between);
@@ -140,9 +178,8 @@ void main() {
   light.at_base.rest = falling_air / base.around;  // likewise
 
   // At the top. The sky that is reflected counts by what falls on a level plane.
-  vec3 falling_sky = sky_at(top, mu_sun, facing);
   light.at_top.sun = sun_above * across / summit.around;
-  light.at_top.sky = falling_sky / kPi / summit.around;
+  light.at_top.sky = (falling_sky + returned) / kPi / summit.around;
   light.at_top.ground = sent * through_air / (2.0 * kPi) / summit.around;
   light.at_top.rest = (summit.above - 2.0 * falling_sky) / summit.around;
 
@@ -177,9 +214,5 @@ void main() {
   vec3 higher = depth_above(optical_altitude_at(c.top + kHigher));
   light.fading = vec3(1.0) - even_transmittance(upward);
   light.scale_height = kHigher / max(log(max(upward.z, 1e-9) / max(higher.z, 1e-12)), 1e-2);
-  vec4 risen = texelFetch(cloud_sums_lut, ivec2(2, 0), 0);
-  vec3 from_above = sun_above * (risen.x * across) + falling_sky * (risen.y / kPi);
-  vec3 clear_above = max(sun_above + falling_sky, vec3(1e-30));
-  light.above = (from_above + up * (light.below * (risen.z / kPi) - 1.0)) / clear_above;
   light_out.values[kField] = light;
 }

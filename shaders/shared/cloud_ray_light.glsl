@@ -133,17 +133,19 @@ CloudColour colour_at(AirRay of, float t) {
   MomentCoordinate over = air_moment_coordinate(scene.moments, optical_altitude_at(cloud().top), point.mu_sun);
   MomentCoordinate under = air_moment_coordinate(scene.moments, optical_altitude_at(cloud().base), point.mu_sun);
   colour.sky = level_irradiance(over, 1.0) / kPi;
+  vec3 level = colour.sun * max(seen_sun_mu(scene.planet, h, point.mu_sun), 0.0);
+  vec3 clear = level + colour.sky * kPi;
   colour.ground = level_irradiance(under, -1.0) / kPi * light_of_cloud().rising;
   if (kFields > 1u) {
     // What the other fields scatter forward lights the cloud as the sun does. Of the sun's light counts what they leave
     // of it here; all else is even over the sky, and its mean is taken.
     OtherFields past = past_other_fields(of.direction, of.before + t, point.h, point.mu_sun);
-    vec3 level = colour.sun * max(seen_sun_mu(scene.planet, h, point.mu_sun), 0.0);
-    vec3 clear = level + colour.sky * kPi;
     colour.ground = max(colour.ground + clear * past.up * light_of_cloud().below / kPi, vec3(0.0)) * past.below;
     colour.sky = max(clear * past.below - level * past.forward, vec3(0.0)) / kPi;
     colour.sun *= exp(-past.turning);
+    clear *= past.below;
   }
+  colour.sky = max(colour.sky + light_of_cloud().returned * clear / kPi, vec3(0.0));
   float of_tables = sun_past_field(height, h, point.mu_sun);
   if (table_from_space()) {
     of_tables = sun_taken_here(h, point.mu_sun);

@@ -184,19 +184,13 @@ double sum_of_picture(const Scene& scene) {
   return sum;
 }
 
-Scene traced(const Scene& scene, int samples) {
-  Scene judge = with_method(scene, *find_method("path-trace"));
-  judge.render.parameters.find("samples")->second = samples;
-  return judge;
-}
-
 // All light of a field of cumulus without air, above black ground, under a low sun, by the cells that presets leave
 // alone. Scattering is isotropic, with as much extinction as delta scaling leaves drops: less noise for the judge.
 // Sunlit sides of heaps are somewhat too dark: in cells at the cloud's edge water is spread thin, and is lit less.
 TEST(CarvedClouds, AFieldIsAsBrightAsByPathTrace) {
   Scene scene = among_cumulus(20.0, 0.35);
   scene.render.parameters.find("cloud_resolution")->second = std::string("full");
-  const double ratio = sum_of_picture(scene) / sum_of_picture(traced(scene, 32));
+  const double ratio = sum_of_picture(scene) / sum_of_picture(by_path_trace(scene, 32));
   std::printf("a field of cumulus: %+.2f %%\n", 100.0 * (ratio - 1.0));
   EXPECT_NEAR(ratio, 1.0, 0.04);
 }
@@ -207,7 +201,7 @@ TEST(CarvedClouds, ASheetUnderALowSunIsAsBrightAsByPathTrace) {
   Scene scene = among_sheets(6.0, 0.6);
   EXPECT_GT(cloud_grid(scene.clouds.front()).edge.tiles, 0.0);
   scene.render.parameters.find("cloud_resolution")->second = std::string("full");
-  const double ratio = sum_of_picture(scene) / sum_of_picture(traced(scene, 64));
+  const double ratio = sum_of_picture(scene) / sum_of_picture(by_path_trace(scene, 64));
   std::printf("a broken sheet: %+.2f %%\n", 100.0 * (ratio - 1.0));
   EXPECT_NEAR(ratio, 1.0, 0.23);
 }
@@ -235,7 +229,7 @@ TEST(CarvedClouds, ShadedSidesAreDark) {
   scene.camera.azimuth = radians(220.0);
   scene.render.parameters.find("cloud_resolution")->second = std::string("full");
   const std::vector<double> found = blocks_of(scene);
-  const std::vector<double> truth = blocks_of(traced(scene, 96));
+  const std::vector<double> truth = blocks_of(by_path_trace(scene, 96));
   std::vector<std::size_t> seen;
   const double least = 0.02 * *std::ranges::max_element(truth);
   for (std::size_t i = 0; i < truth.size(); ++i) {
@@ -280,7 +274,7 @@ TEST(CarvedClouds, ShadeInAirIsDark) {
   scene.clouds.front().phase_g = kAsymmetryOfDrops;
   scene.render.parameters.find("cloud_resolution")->second = std::string("full");
   const std::vector<float> found = rgb_of(render_now(scene).radiance.rgba);
-  const std::vector<float> truth = rgb_of(render_now(traced(scene, 96)).radiance.rgba);
+  const std::vector<float> truth = rgb_of(render_now(by_path_trace(scene, 96)).radiance.rgba);
   scene.clouds.front().single_scattering_albedo = 0.0;
   const std::vector<float> black = rgb_of(render_now(scene).radiance.rgba);
   std::vector<std::size_t> clouds;  // pixels
@@ -314,24 +308,9 @@ TEST(CarvedClouds, AreLitByGroundAmongShadows) {
   Scene bright = black;
   bright.planet.ground_albedo = {kAlbedo, kAlbedo, kAlbedo};
   const double found = sum_of_picture(bright) - sum_of_picture(black);
-  const double expected = sum_of_picture(traced(bright, 64)) - sum_of_picture(traced(black, 64));
+  const double expected = sum_of_picture(by_path_trace(bright, 64)) - sum_of_picture(by_path_trace(black, 64));
   std::printf("light of the ground: %+.2f %%\n", 100.0 * (found / expected - 1.0));
   EXPECT_NEAR(found / expected, 1.0, 0.2);
-}
-
-// The means of red, green and blue are off by no more than these shares.
-void expect_means(const std::vector<float>& found, const std::vector<float>& truth,
-                  const std::array<double, 3>& bounds) {
-  for (std::size_t c = 0; c < 3; ++c) {
-    double sum = 0.0;
-    double expected = 0.0;
-    for (std::size_t i = c; i < found.size(); i += 3) {
-      sum += static_cast<double>(found[i]);
-      expected += static_cast<double>(truth[i]);
-    }
-    std::printf("channel %zu: %+.1f %%\n", c, 100.0 * (sum / expected - 1.0));
-    EXPECT_NEAR(sum / expected, 1.0, bounds[c]) << c;
-  }
 }
 
 // All light of the air over black heaps against path-trace. Blue is 6 % too dark where the share of light scattered
@@ -380,7 +359,7 @@ TEST(CarvedClouds, ShadeLightFromAboutTheSun) {
   scene.clouds.front().seed = 13;
   scene.clouds.front().single_scattering_albedo = 0.0;
   const std::vector<float> found = rgb_of(render_now(scene).radiance.rgba);
-  const std::vector<float> truth = rgb_of(render_now(traced(scene, 256)).radiance.rgba);
+  const std::vector<float> truth = rgb_of(render_now(by_path_trace(scene, 256)).radiance.rgba);
   expect_means(found, truth, {0.07, 0.07, 0.05});
 }
 

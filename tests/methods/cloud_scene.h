@@ -2,10 +2,13 @@
 // Clouds of simple shape over level ground, for tests.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <memory>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/clouds/cloud_grid.h"
@@ -107,6 +110,27 @@ inline Scene among_black_clouds(double sun_elevation_deg) {
   scene.clouds.front().single_scattering_albedo = 0.0;
   scene.camera.altitude = 0.05;
   return scene;
+}
+
+inline Scene by_path_trace(const Scene& scene, int samples) {
+  Scene judge = with_method(scene, *find_method("path-trace"));
+  judge.render.parameters.find("samples")->second = samples;
+  return judge;
+}
+
+// The means of red, green and blue are off by no more than these shares.
+inline void expect_means(const std::vector<float>& found, const std::vector<float>& truth,
+                         const std::array<double, 3>& bounds) {
+  for (std::size_t c = 0; c < 3; ++c) {
+    double sum = 0.0;
+    double expected = 0.0;
+    for (std::size_t i = c; i < found.size(); i += 3) {
+      sum += static_cast<double>(found[i]);
+      expected += static_cast<double>(truth[i]);
+    }
+    std::printf("channel %zu: %+.1f %%\n", c, 100.0 * (sum / expected - 1.0));
+    EXPECT_NEAR(sum / expected, 1.0, bounds[c]) << c;
+  }
 }
 
 // The method `orders` refuses it in these words and names path-trace.
