@@ -163,7 +163,8 @@ void main() {
   light.under.ground = up * light.below / kPi * of_field * scale;
   light.under.rest = (of_air * beam * past / sources + lit_ground * light.below) * scale;
   vec4 falling = texelFetch(cloud_sums_lut, ivec2(1, 0), 0);
-  light.air_below = share_around(light.under, falling.xyz);
+  light.falling = falling.xyz;
+  light.air_below = share_around(light.under, light.falling);
   vec3 fallen = falling_air * of_field * scale;  // as if nothing shaded what the air in the field sends
 
   // At the base: what comes up is sent by the ground and by the air below.

@@ -78,6 +78,7 @@ struct CloudLight {
   real forward;       // likewise unscattered or scattered forward alone (CloudData::turning)
   vec3 above;         // what it adds to light from below on planes above it, over all light from above there
   vec3 returned;      // what of this the air above sends down on it again, over the same
+  vec3 falling;       // the mean below the field of the light that passes/cloud_around.comp has found
   CloudAround under;  // below the cloud, at its base, and at its top
   CloudAround at_base;
   CloudAround at_top;

@@ -17,6 +17,26 @@ float left_about_sun(CloudData c, float h, float lit, float mean, float up) {
   return mix(lit, mean, kWide * kWide / (kWide * kWide + size * size));
 }
 
+// The light of sun, sky and ground at a place of the grid, at a level of the table.
+vec3 light_around(vec3 place, float level) {
+  vec3 size = vec3(textureSize(cloud_around_lut, 0));
+  vec2 texel = vec2(cell_texel(place.x, uint(size.x) - 1u), cell_texel(place.y, uint(size.y) - 1u));
+  return textureLod(cloud_around_lut, vec3(texel, level + 0.5) / size, 0.0).rgb;
+}
+
+// Light that falls from the field on a place below it, over the mean: what the field scatters, and sky and ground past
+// it. Nearer to the base than the table's last level below it, and among cells, as on that level.
+vec3 falling_at(CloudLight of, vec3 place) {
+  CloudData c = cloud();
+  if (c.repeats == 0u) {
+    return vec3(1.0);  // around a cloud that stands alone the mean is no field's
+  }
+  float level = around_level(c, place.z, uint(textureSize(cloud_around_lut, 0).z));
+  vec3 here = light_around(place, min(level, float(kLevelsBelow - 1u)));
+  vec3 mean = of.under.sun * of.falling.x + of.under.sky * of.falling.y + of.under.ground * of.falling.z;
+  return (of.under.sun * here.x + of.under.sky * here.y + of.under.ground * here.z) / max(mean, vec3(1e-30));
+}
+
 // Shares of the air's light scattered more than once.
 struct MoreLight {
   vec3 share;  // that is left or added
@@ -28,10 +48,8 @@ struct MoreLight {
 // stands alone the sky is clear.
 MoreLight more_light_at(vec3 place) {
   CloudData c = cloud();
-  vec3 size = vec3(textureSize(cloud_around_lut, 0));
-  float level = around_level(c, place.z, uint(size.z));
-  vec2 texel = vec2(cell_texel(place.x, uint(size.x) - 1u), cell_texel(place.y, uint(size.y) - 1u));
-  vec3 light = textureLod(cloud_around_lut, vec3(texel, level + 0.5) / size, 0.0).rgb;
+  float level = around_level(c, place.z, uint(textureSize(cloud_around_lut, 0).z));
+  vec3 light = light_around(place, level);
   CloudLight of = light_of_cloud();
   float height = clamp(place.z, 0.0, 1.0);
   vec3 within = mix(share_around(of.at_base, light), share_around(of.at_top, light), height);

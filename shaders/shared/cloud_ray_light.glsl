@@ -182,7 +182,7 @@ vec3 ground_change(AirRay of) {
     light.direct *= past.direct;
   }
   float about_sun = left_about_sun(highest_cloud(), 0.0, lit, light.direct, point.mu_sun);
-  vec3 below = max(clear * light.below - (direct + near_sun) * light.direct, vec3(0.0)) + direct * lit +
-               near_sun * about_sun;
+  vec3 falls = max(clear * light.below - (direct + near_sun) * light.direct, vec3(0.0)) * falling_at(light, place);
+  vec3 below = falls + direct * lit + near_sun * about_sun;
   return (below - clear) * scene.planet.ground_albedo / kPi;
 }

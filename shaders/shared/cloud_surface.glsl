@@ -41,6 +41,7 @@ SkyPast sky_past_cloud(SkyPast sky, Surface surface, PlaceSun sun, float lit, ve
   }
   float about_sun = left_about_sun(highest_cloud(), surface.place.h, lit, light.direct, up);
   vec3 others = max((direct + clear) * light.below - (direct + near_sun) * light.direct, vec3(0.0));
+  others *= falling_at(light, place_in_cloud(surface.place.point));
   vec3 below = others + near_sun * about_sun;
   vec3 more = max(others - (clear - near_sun), vec3(0.0));
   vec3 left = min(others / max(clear - near_sun, vec3(1e-20)), vec3(1.0));

@@ -366,7 +366,7 @@ std::vector<double> host_sweep(const Solved& s, const CloudIncident& incident,
   const std::array<std::uint32_t, 3> counts{c.nx, c.ny, c.nz};
   const std::array<double, 3> cells{c.cell_x, c.cell_y, c.cell_z};
   const std::array<std::size_t, 3> strides{1, c.nx, std::size_t{c.nx} * c.ny};
-  std::vector<double> moments(9 * c.count());
+  std::vector<double> moments(physics::kCloudMoments * c.count());
   for (std::size_t o = 0; o < ordinates.size(); ++o) {
     const physics::vec3 d = ordinates[o].direction;
     const std::array<double, 3> parts{d.x, d.y, d.z};
@@ -412,13 +412,13 @@ TEST(CloudLight, DeviceSweepsAsTheHostDoes) {
   for (const int of : {kOfSun, kOfSky, kOfGround}) {
     const CloudIncident incident{
         .name = {}, .sun = of == kOfSun, .above = of == kOfSky ? 1.0 : 0.0, .below = of == kOfGround ? 1.0 : 0.0};
-    std::vector<double> moments(9 * cells.count());
-    std::vector<double> changes(9 * cells.count());
+    std::vector<double> moments(physics::kCloudMoments * cells.count());
+    std::vector<double> changes(physics::kCloudMoments * cells.count());
     std::vector<std::vector<double>> fronts(ordinates.size(), std::vector<double>(cells.count()));
     for (const ChebyshevStep& step : chebyshev_steps(light_kept(cells, s.drops), kSweeps)) {
       std::vector<std::vector<double>> sources(ordinates.size(), std::vector<double>(cells.count()));
       for (std::size_t o = 0; o < sources.size(); ++o) {
-        for (std::size_t n = 0; n < 9 * cells.count(); ++n) {
+        for (std::size_t n = 0; n < physics::kCloudMoments * cells.count(); ++n) {
           const std::size_t q = n / cells.count();
           const double lit = of == kOfSun ? static_cast<double>(s.beam.cells[n % cells.count()]) : 0.0;
           sources[o][n % cells.count()] +=

@@ -75,7 +75,7 @@ TEST(CloudPicture, LevelCloudsMeetAddingAndDoubling) {
 }
 
 // A level cloud below molecules, seen from above them. They send a seventh of the blue light that rises from it down on
-// it again: without that light it would be 3, 5 and 12 % darker.
+// it again: without that light it would be 2, 4 and 9 % darker.
 TEST(CloudPicture, GetsLightThatTheAirAboveSendsBack) {
   Scene scene = under_level_cloud(16.0, std::sin(radians(55.0)));
   scene.media = {medium(PhaseFunction::rayleigh, 0.0, {0.006, 0.0135, 0.033}, {0.0, 0.0, 0.0}, exponential(8.0))};
