@@ -350,13 +350,13 @@ void add_balance(Plan& plan, const Part& part, const Light& light, const CloudIn
                              {"cloud_sums_lut", sums},
                              {"transmittance_lut", light.transmittance},
                              {"moments_lut", light.moments}});
-  plan.add_pass({.shader = "cloud_balance",
-                 .reads = std::move(reads),
-                 .writes = {{"light_out", balance}},
-                 .grid = {1, 1, 1},
-                 .push_constants = {push_constant(std::sin(sun_over_clouds(part.scene).elevation)),
-                                    push_constant(open)},
-                 .specialization = std::move(constants)});
+  plan.add_pass(
+      {.shader = "cloud_balance",
+       .reads = std::move(reads),
+       .writes = {{"light_out", balance}},
+       .grid = {1, 1, 1},
+       .push_constants = {push_constant(std::sin(sun_over_clouds(part.scene).elevation)), push_constant(open)},
+       .specialization = std::move(constants)});
 }
 
 // What the ground sends to the cells' base.
@@ -440,8 +440,8 @@ CloudInputs add_field(Plan& plan, const Part& part, const Light& light, FieldSta
   const Fields fields = add_fields(plan, start.coarse, start.matter.drops, inputs, start.to_sun, sun_key);
   lit.sources = add_sources(plan, fields, sun_key);
   inputs.around = add_around(plan, inputs, fields, sun_key);
-  add_balance(plan, part, light, inputs, add_sums(plan, inputs, fields, inputs.around, sun_key), lit.constants,
-              open, balance);
+  add_balance(plan, part, light, inputs, add_sums(plan, inputs, fields, inputs.around, sun_key), lit.constants, open,
+              balance);
   lit.phase = add_phase(plan, start.matter);
   return inputs;
 }

@@ -298,8 +298,8 @@ TEST(CarvedClouds, ShadeInAirIsDark) {
   }
 }
 
-// Ground below a broken sheet without air, seen straight down in blocks of pixels: it gets what falls on it. By the mean
-// of the field it would be 9.9 % off.
+// Ground below a broken sheet without air, seen straight down in blocks of pixels: it gets what falls on it. By the
+// mean of the field it would be 9.9 % off.
 TEST(CarvedClouds, LightTheGroundWhereTheyStand) {
   Scene scene = among_sheets(30.0, 0.7);
   scene.planet.ground_albedo = {0.3, 0.3, 0.3};
