@@ -22,10 +22,10 @@ float sun_past_cloud(Place place, PlaceSun sun) {
 }
 
 // The sky's light below the cloud is what the cloud lets through of all light, less what passes unscattered of the
-// sun's and of light from about it, which the cloud shades at each place. As far as this is less than the clear sky's,
-// the sky is dimmed; what is more comes evenly from above. Above the cloud the light that it sends up counts. `lit`:
-// share of the sun past the cloud. `open`: what would come to the surface from sky and ground in the open. Among several
-// fields the cloud is the highest.
+// sun's and of light from about it, which the cloud shades at each place; it goes by the place (`falling_at`). As far
+// as this is less than the clear sky's, the sky is dimmed; what is more comes evenly from above. Above the cloud the
+// light that it sends up counts. `lit`: share of the sun past the cloud. `open`: what would come to the surface from
+// sky and ground in the open. Among several fields the cloud is the highest.
 SkyPast sky_past_cloud(SkyPast sky, Surface surface, PlaceSun sun, float lit, vec3 open) {
   float up = max(dot(sun.seen, surface.place.up), 0.0);
   vec3 direct = sun_through_air(scene.planet, 0.0, sun.mu) * up;
