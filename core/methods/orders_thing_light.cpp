@@ -16,7 +16,7 @@
 namespace airlight::orders {
 namespace {
 
-constexpr std::uint32_t kRounds = 2;  // of light sent to and fro
+constexpr std::uint32_t kRounds = 3;  // of light sent to and fro
 constexpr double kCells = 1000.0;     // of the grid of air, each with all layers
 constexpr double kSlopeCells = 4000.0;
 

@@ -71,8 +71,9 @@ void main() {
   Place place = place_in_grid(scene.planet, scene.camera.altitude, grid, layer);
   bool edge = cell.x == 0u || cell.y == 0u || cell.x + 1u == columns || cell.y + 1u == rows;
   if (!edge) {
-    LightFrom light = light_from(scene.planet, scene.moments, scene.camera.altitude, scene.sun, place, i);
-    vec3 direction = light_direction(i, scene.sun.direction);
+    bool mirrored = ((cell.x + cell.y + layer) & 1u) != 0u;
+    LightFrom light = light_from(scene.planet, scene.moments, scene.camera.altitude, scene.sun, place, i, mirrored);
+    vec3 direction = light_direction(i, mirrored, scene.sun.direction);
     vec3 along = vec3(light_weight(i));
     float spacing = t.texel * float(max(t.columns, t.rows)) / (kMapShare * float(max(columns, rows)));
     if (layer < kLightLayers) {

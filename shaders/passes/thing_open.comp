@@ -40,7 +40,7 @@ void main() {
   }
   TerrainData t = terrain_shape();
   vec3 sun = scene.sun.direction;
-  vec3 direction = light_direction(i, sun);
+  vec3 direction = light_direction(i, false, sun);
   float h = open_altitude(t, float(row));
   Ray ray = ray_in_atmosphere(scene.planet, h, direction.y, sun.y, dot(direction, sun));
   float reach = open_reach(t, direction.y);

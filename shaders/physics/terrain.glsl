@@ -194,7 +194,7 @@ TerrainHit terrain_hit_past(PlanetData planet, GroundTrack track, real from) {
       bool over = bottom > terrain_height(terrain_level(level) + uint(j) * across + uint(i));
       near = !over && level == 0u;
       s = over ? end : s;
-      level = over ? min(level + 1u, t.levels - 1u) : level > 0u ? level - 1u : 0u;
+      level = over ? min(level + 1u, t.levels - 1u) : level / 2u;
     }
     if (near) {
       real over_start = clearance(planet, t, track, s);

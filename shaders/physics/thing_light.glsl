@@ -13,7 +13,7 @@ vec3 open_light(uint block, uint i, real row, real reach, real distance_) {
 vec3 matte_radiance(PlanetData planet, MomentTableData table, real camera_altitude, SunData sun, Sight sight,
                     ThingHit hit) {
   TerrainData t = terrain_shape();
-  Surface surface = surface_at(planet, camera_altitude, sight, hit, 0.3 * hit.distance_);
+  Surface surface = surface_at(planet, camera_altitude, sight, hit, 0.03 * hit.distance_);
   Place place = surface.place;
   vec2 at = map_place(planet, camera_altitude, place.point);
   real share = terrain_sunlit(t, at.x, at.y, place.h);
@@ -31,9 +31,10 @@ struct LightFrom {
 };
 
 // The light that reaches a place from direction `i`.
-LightFrom light_from(PlanetData planet, MomentTableData table, real camera_altitude, SunData sun, Place place, uint i) {
+LightFrom light_from(PlanetData planet, MomentTableData table, real camera_altitude, SunData sun, Place place, uint i,
+                     bool mirrored) {
   TerrainData t = terrain_shape();
-  vec3 direction = light_direction(i, sun.direction);
+  vec3 direction = light_direction(i, mirrored, sun.direction);
   Sight sight = sight_from(planet, camera_altitude, place.point, direction, sun.direction);
   TerrainHit met = terrain_hit_past(planet, sight.track, 0.0);
   ThingHit hit;

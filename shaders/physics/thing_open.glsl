@@ -11,30 +11,33 @@ const uint kOpenSingle = 0u;
 const uint kOpenDiffuse = 1u;
 const uint kOpenThrough = 2u;
 
-// Directions in rings about the sun, which are the closer the nearer they are: light comes mostly from there.
-const uint kLightRings = 8u;
-const uint kLightSpokes = 8u;
+// Directions, each of an elevation of its own, which are the closer the nearer they are to level: there the sky is
+// brightest, and terrain hides it. Their azimuths go on by the golden section of a turn from the sun's.
+const uint kLightBelow = 16u;  // of the directions, those below level
 
-real ring_angle(real ring) {
-  real x = ring / real(kLightRings);
-  return kPi * x * sqrt(x);
+// Sine of the elevation at which the slice of direction `edge` begins: -1 at 0, 1 at kLightDirections.
+real light_level(real edge) {
+  real below = real(kLightBelow);
+  real y = edge < below ? (below - edge) / below : (edge - below) / real(kLightDirections - kLightBelow);
+  real sine = sin(0.5 * kPi * y * y * sqrt(y));
+  return edge < below ? -sine : sine;
 }
 
-vec3 light_direction(uint i, vec3 sun) {
-  real ring = real(i / kLightSpokes) + 0.5;
-  real angle = ring_angle(ring);
-  real turn = 2.0 * kPi * (real(i % kLightSpokes) + 0.5 * ring) / real(kLightSpokes);
+// `mirrored`: on the other side of the plane of sun and zenith, where light without terrain is the same.
+vec3 light_direction(uint i, bool mirrored, vec3 sun) {
+  const real kGolden = 0.618033989;
+  real up = light_level(real(i) + 0.5);
+  real along = sqrt(max(1.0 - up * up, 0.0));
+  real turns = real(i) * kGolden + 0.25;
+  real turn = (mirrored ? -2.0 : 2.0) * kPi * (turns - floor(turns));
   real level = sqrt(sun.x * sun.x + sun.z * sun.z);
-  vec3 aside = level > 1e-6 ? vec3(-sun.z / level, 0.0, sun.x / level) : vec3(1.0, 0.0, 0.0);
-  vec3 above = vec3(sun.y * aside.z, sun.z * aside.x - sun.x * aside.z, -sun.y * aside.x);
-  return sun * cos(angle) + (aside * cos(turn) + above * sin(turn)) * sin(angle);
+  real east = level > 1e-6 ? sun.x / level : 0.0;
+  real south = level > 1e-6 ? sun.z / level : 1.0;
+  return vec3(along * (east * cos(turn) - south * sin(turn)), up, along * (south * cos(turn) + east * sin(turn)));
 }
 
 // Solid angle that a direction stands for.
-real light_weight(uint i) {
-  real ring = real(i / kLightSpokes);
-  return (cos(ring_angle(ring)) - cos(ring_angle(ring + 1.0))) * 2.0 * kPi / real(kLightSpokes);
-}
+real light_weight(uint i) { return 2.0 * kPi * (light_level(real(i) + 1.0) - light_level(real(i))); }
 
 // Altitudes without terrain: rows from 0 up to light_top().
 real open_altitude(TerrainData t, real row) {

@@ -36,13 +36,54 @@ TEST(ThingLight, DirectionsCoverTheSphere) {
     double solid_angle = 0.0;
     vec3 mean(0.0);
     for (uint i = 0; i < physics::kLightDirections; ++i) {
-      const vec3 d = p.light_direction(i, sun);
+      const vec3 d = p.light_direction(i, false, sun);
       EXPECT_NEAR(physics::length(d), 1.0, 1e-12);
       solid_angle += p.light_weight(i);
       mean = mean + d * p.light_weight(i);
     }
     EXPECT_NEAR(solid_angle, 4.0 * std::numbers::pi, 1e-12);
     EXPECT_LT(physics::length(mean), 0.02 * solid_angle);
+  }
+}
+
+// Terrain hides the sky next to the horizon, which is the brightest: what its directions see of such a sky over a
+// skyline is what a fine sum sees, wherever the sun stands and however the skyline is turned. Without terrain that sky
+// is the same on both sides of the sun.
+TEST(ThingLight, DirectionsSeeASkyline) {
+  Physics p;
+  const auto light = [](double up) { return up > 0.0 ? 1.0 / (0.1 + up) : 0.0; };
+  const auto hides = [](const vec3& d, double turned) {
+    const double azimuth = std::atan2(d.x, -d.z) + turned;
+    return std::asin(d.y) < 0.08 + 0.05 * std::cos(2.0 * azimuth + 1.0) + 0.02 * std::sin(5.0 * azimuth);
+  };
+  constexpr int kRows = 4000;
+  constexpr int kColumns = 360;
+  double seen = 0.0;
+  double all = 0.0;
+  for (int i = 0; i < kRows; ++i) {
+    const double up = (i + 0.5) / kRows;
+    const double along = std::sqrt(1.0 - up * up);
+    for (int j = 0; j < kColumns; ++j) {
+      const double azimuth = 2.0 * std::numbers::pi * (j + 0.5) / kColumns;
+      all += light(up);
+      seen += hides(vec3(along * std::sin(azimuth), up, -along * std::cos(azimuth)), 0.0) ? 0.0 : light(up);
+    }
+  }
+  for (int degrees = -5; degrees <= 85; degrees += 5) {
+    const double elevation = degrees * std::numbers::pi / 180.0;
+    const vec3 sun(0.0, std::sin(elevation), -std::cos(elevation));
+    for (int turn = 0; turn < 16; ++turn) {
+      const bool mirrored = turn % 2 == 1;
+      double part = 0.0;
+      double whole = 0.0;
+      for (uint i = 0; i < physics::kLightDirections; ++i) {
+        const vec3 d = p.light_direction(i, mirrored, sun);
+        whole += p.light_weight(i) * light(d.y);
+        part += hides(d, 0.125 * std::numbers::pi * turn) ? 0.0 : p.light_weight(i) * light(d.y);
+        EXPECT_NEAR(physics::dot(d, sun), physics::dot(p.light_direction(i, !mirrored, sun), sun), 1e-12);
+      }
+      EXPECT_NEAR(part / whole, seen / all, 0.07 * seen / all) << degrees << " degrees, turned by " << turn;
+    }
   }
 }
 
