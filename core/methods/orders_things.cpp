@@ -104,12 +104,12 @@ ImageId add_dimmed(Plan& plan, const Part& part, const View& view, const Volume&
   return dimmed;
 }
 
-// The pixels of a tile and those that its blocks hold beside it (shaders/shared/thing_tile.glsl).
+// The pixels of a tile and those that its squares of blocks hold beside it (shaders/shared/thing_tile.glsl).
 Extent grid_of_blocks(const Scene& scene, const View& view) {
   const Tile tile = tile_of(scene, view);
   const auto whole = [](int first, int count) {
-    constexpr auto kBlock = static_cast<int>(physics::kThingBlock);
-    return static_cast<std::uint32_t>((first % kBlock + count + kBlock - 1) / kBlock * kBlock);
+    constexpr auto kSquare = static_cast<int>(physics::kThingSquare);
+    return static_cast<std::uint32_t>((first % kSquare + count + kSquare - 1) / kSquare * kSquare);
   };
   return {whole(tile.x, tile.width), whole(tile.y, tile.height), 1};
 }
@@ -198,13 +198,22 @@ Blocks add_known_air(Plan& plan, const Part& part, const View& view, const Thing
   constants.push_back({"kProjection", projection_code(part.scene.camera.projection)});
   constants.push_back({"kEdges", physics::kEdgesLeftOut});
   constants.push_back({"kTiles", physics::kTilesAll});
-  plan.add_pass({.shader = "thing_block_air",
-                 .reads = std::move(reads),
-                 .writes = {{"nodes_out", blocks.nodes}, {"tiles_out", blocks.tiles}},
-                 .grid = {kThreads * count, 1, 1},
-                 .push_constants = {count},
-                 .specialization = std::move(constants),
-                 .cost = 40.0});
+  const BufferId squares =
+      plan.add_buffer({.name = "thing_squares", .bytes = sizeof(std::uint32_t) * (std::size_t{4} + count / 4)});
+  PassDesc air{.name = "thing_square_air",
+               .shader = "thing_block_air",
+               .reads = std::move(reads),
+               .writes = {{"nodes_out", blocks.nodes}, {"tiles_out", blocks.tiles}, {"squares_out", squares}},
+               .grid = {count, 1, 1},
+               .push_constants = {count, 0},
+               .specialization = std::move(constants),
+               .cost = 80.0};
+  plan.add_pass(air);
+  air.name = "thing_block_air";
+  air.push_constants[1] = 1;
+  air.groups = GroupCount{squares, 0};
+  air.cost = 40.0;
+  plan.add_pass(std::move(air));
   return blocks;
 }
 

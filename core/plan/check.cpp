@@ -109,9 +109,10 @@ void check_bindings(const Plan& plan, const PassDesc& pass, const std::string& w
 void check_groups(const Plan& plan, const PassDesc& pass, const std::string& where) {
   constexpr std::size_t kBytes = 3 * sizeof(std::uint32_t);
   if (!pass.groups) return;
-  const bool read = std::ranges::any_of(
-      pass.reads, [&](const Binding& binding) { return binding.resource == ResourceId(pass.groups->buffer); });
-  if (!read) refuse(where + "the buffer that counts its workgroups is none of those that it reads");
+  const auto is_counts = [&](const Binding& binding) { return binding.resource == ResourceId(pass.groups->buffer); };
+  if (std::ranges::none_of(pass.reads, is_counts) && std::ranges::none_of(pass.writes, is_counts)) {
+    refuse(where + "the buffer that counts its workgroups is none of those that it has");
+  }
   if (pass.groups->offset % 4 != 0 || pass.groups->offset + kBytes > plan.buffers()[pass.groups->buffer.index].bytes) {
     refuse(where + "byte " + std::to_string(pass.groups->offset) + " of " + describe(plan, pass.groups->buffer) +
            " cannot hold its three counts of workgroups");

@@ -32,6 +32,7 @@ const uint kTilesOfSky = 1u;
 const uint kTilesOfThings = 2u;
 const uint kTilesExact = 3u;
 const uint kThingBlock = 8u;
+const uint kThingSquare = 16u;  // pixels along a side of 2 x 2 blocks
 const uint kTileWords = 16u;  // of their list, before the blocks
 
 #endif

@@ -35,7 +35,7 @@ float distance_of(QuadSeen quad) { return 0.0; }
 #include "shared/thing_tiles.glsl"
 layout(scalar, set = 0, binding = 33) readonly buffer Tiles { uint values[]; } tiles;  // thing_listing.glsl
 
-uvec2 block_rows() { return uvec2(tile_row(), (before_tile().y + height + kThingBlock - 1u) / kThingBlock); }
+uvec2 block_rows() { return uvec2(tile_row(), whole_blocks(before_tile().y + height)); }
 
 // A block of the list; `there`: false past its end.
 struct ListedBlock {

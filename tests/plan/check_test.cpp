@@ -154,7 +154,7 @@ TEST(Check, RefusesCountsOfWorkgroupsThatAPassDoesNotRead) {
   };
   EXPECT_EQ(counted_at(52, true), "");
   EXPECT_EQ(counted_at(0, false),
-            "plan: pass march: the buffer that counts its workgroups is none of those that it reads");
+            "plan: pass march: the buffer that counts its workgroups is none of those that it has");
   EXPECT_EQ(counted_at(56, true),
             "plan: pass march: byte 56 of buffer numbers cannot hold its three counts of workgroups");
   EXPECT_EQ(counted_at(2, true),
