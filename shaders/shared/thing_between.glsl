@@ -38,7 +38,7 @@ void write_pixel(bool inside, vec3 light, float distance_) {
 }
 
 const uint kEdgeUnits = kEdgeSide * kEdgeSide / kUnitRays;
-const uint kTwoUnits = 2u;  // of mirrors and of the horizon
+const uint kTwoUnits = 2u;  // of several rays
 
 shared uint holds_single[kThreads];  // 1: the pixel on a quad's ray has that one alone, inside of the picture's frame
 shared uint edges;                   // pixels of the workgroup that ask for so many units
@@ -58,7 +58,7 @@ struct Quad {
 
 // What its pixels ask for, by 8 bits each.
 struct Asks {
-  uint units;   // of rays: kEdgeUnits, kTwoUnits or 0
+  uint units;   // of rays: kEdgeUnits, kTwoUnits, 1 or 0
   uint places;  // which one it is of the workgroup's that ask for as many
   uint has;     // bits of the first unit
   uint waits;   // bit k: pixel k has one ray, and is not found yet
@@ -84,10 +84,14 @@ Asks asks_of(Quad quad, uint lane) {
         asks.units |= kEdgeUnits << (8u * k);
         asks.places |= atomicAdd(edges, 1u) << (8u * k);
         asks.has |= kUnitEdge << (8u * k);
-      } else if (mine && holds.count > 1u) {
+      } else if (mine && holds.several) {
         asks.units |= kTwoUnits << (8u * k);
         asks.places |= atomicAdd(twos, 1u) << (8u * k);
-        asks.has |= (holds.mirror ? kUnitMirror : kUnitHorizon) << (8u * k);
+        asks.has |= kUnitSeveral << (8u * k);
+      } else if (mine && holds.count > 1u) {
+        asks.units |= 1u << (8u * k);
+        asks.places |= atomicAdd(ones, 1u) << (8u * k);
+        asks.has |= (holds.limb ? kUnitLimb : kUnitHorizon) << (8u * k);
       }
     }
   }
@@ -172,7 +176,8 @@ void main() {
   DONT_UNROLL for (uint k = 0u; k < kQuadPixels; k++) {
     uvec2 place = place_in_block(quad.at, k, quad.last);
     uint count = of_pixel(asks.units, k);
-    uint first = of_pixel(asks.places, k) * count + (count == kEdgeUnits ? 0u : first_two);
+    uint before = count == kEdgeUnits ? 0u : count == kTwoUnits ? first_two : first_one;
+    uint first = of_pixel(asks.places, k) * count + before;
     for (uint i = 0u; i < count; i++) {
       add_unit(first + i, quad.number, place.y * kThingBlock + place.x, of_pixel(asks.has, k) + i);
     }

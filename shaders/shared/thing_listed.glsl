@@ -42,21 +42,24 @@ Asked asked_of_list(uint lane) {
   bool single = has < kUnitPixels;
   uvec2 place = single ? place_in_block(at, slot, block_span(block)) : uvec2(at % kThingBlock, at / kThingBlock);
   here = first_of_block(block) + place;
-  uint first = kUnitRays * (has >= kUnitEdge ? has - kUnitEdge : has % 2u);
+  uint first = kUnitRays * (has >= kUnitEdge ? has - kUnitEdge : has >= kUnitHorizon ? 0u : has % 2u);
   bool there = !single || (slot > 0u && (has & (1u << (slot - 1u))) != 0u);
   return Asked(there && i < count, single ? 0u : first + slot, has, 0u);
 }
 
-PixelHolds holds_of(uint has, PixelSides sides) {
+PixelHolds holds_of(uint has, PixelSides sides, vec3 middle) {
   PixelHolds holds = holds_alike(sides);
   if (has >= kUnitEdge) {
     return holding_edge(holds);
   }
-  if (has >= kUnitHorizon) {
+  if (bodies_before() > 0u && has == kUnitLimb) {
+    return holding_limb(holds, here, middle, limb_near(middle, pixel_width(sides)));
+  }
+  if (has == kUnitHorizon) {
     holds.count = horizon_rays(sides).count;
     return holds;
   }
-  return has >= kUnitMirror ? holding_mirror(holds) : holds;
+  return has >= kUnitSeveral ? holding_several(holds) : holds;
 }
 
 void main() {
@@ -70,9 +73,9 @@ void main() {
     asked = asked_of_list(lane);
   }
   ViewRay middle = ray_at(here, vec2(0.5));
-  PixelHolds holds = PixelHolds(false, false, 1u, 0.0, vec3(0.0));
+  PixelHolds holds = PixelHolds(false, false, false, 1u, 0.0, vec3(0.0));
   if (kTiles != kTilesOfSky) {
-    holds = holds_of(asked.has, sides_of(here, middle.direction, true));
+    holds = holds_of(asked.has, sides_of(here, middle.direction, true), middle.direction);
   }
   PixelSeen one = nothing_seen();
   if (asked.there && asked.ray < holds.count) {

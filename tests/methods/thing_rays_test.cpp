@@ -51,9 +51,30 @@ Scene sky_with(std::vector<Sphere> balls, ImageSize size) {
 }
 
 // A pixel's rays in the picture, from its upper left corner.
-std::vector<std::pair<double, double>> places(SphereMaterial material) {
-  std::vector<std::pair<double, double>> found;
+using Places = std::vector<std::pair<double, double>>;
+
+Places on_grid() {
+  Places found;
+  for (int i = 0; i < 16; ++i) {
+    found.emplace_back((i % 4 + 0.5) / 4.0, (i / 4 + 0.5) / 4.0);
+  }
+  return found;
+}
+
+// Many, no two of which share a row or a column, so that an edge along either is resolved as well as others.
+Places spread_out() {
+  constexpr int kCount = 121;
+  Places found;
+  for (int i = 0; i < kCount; ++i) {
+    const double turns = 0.618033988749895 * i;
+    found.emplace_back((i + 0.5) / kCount, turns - std::floor(turns));
+  }
+  return found;
+}
+
+Places places(SphereMaterial material) {
   if (material == SphereMaterial::mirror) {
+    Places found;
     constexpr std::array<int, 8> kRow{2, 5, 4, 1, 6, 3, 7, 0};
     constexpr std::array<int, 8> kColumn{4, 3, 6, 2, 1, 0, 5, 7};
     for (std::size_t i = 0; i < 8; ++i) {
@@ -61,10 +82,7 @@ std::vector<std::pair<double, double>> places(SphereMaterial material) {
     }
     return found;
   }
-  for (int i = 0; i < 16; ++i) {
-    found.emplace_back((i % 4 + 0.5) / 4.0, (i / 4 + 0.5) / 4.0);
-  }
-  return found;
+  return on_grid();
 }
 
 // What a ray meets: which ball, rock, or what a mirror shows; 0: nothing.
@@ -90,11 +108,10 @@ struct Means {
   std::vector<bool> uneven;  // they do not all meet the same
 };
 
-Means means_of_rays(const Scene& scene, SphereMaterial material) {
+Means means_of_rays(const Scene& scene, const Places& at) {
   const Part part = part_of(scene);
   Physics p = formulas_of(part.air, part.scene);
   part.things.put_into(p);
-  const auto at = places(material);
   std::vector<Direction> directions;
   Means means;
   for (int k = 0; k < scene.image.width * scene.image.height; ++k) {
@@ -122,7 +139,7 @@ Means means_of_rays(const Scene& scene, SphereMaterial material) {
 // Pixels whose rays do not all meet the same are the mean of their rays.
 void expect_means(const Scene& scene, SphereMaterial material, int fewest, const std::string& what) {
   const RadianceImage picture = render_now(scene).radiance;
-  const Means means = means_of_rays(scene, material);
+  const Means means = means_of_rays(scene, places(material));
   int uneven = 0;
   double worst = 0.0;
   for (std::size_t k = 0; k < means.mean.size(); ++k) {
@@ -146,6 +163,69 @@ TEST(ThingRays, EdgesAreTheMeanOfSixteen) {
                                  size);
     expect_means(scene, SphereMaterial::matte, size.width, std::to_string(size.width));
   }
+}
+
+// Where the limb of a wide ball crosses a pixel alone, the pixel's two rays have the shares of its area: they are
+// nearer to a fine mean than sixteen rays are.
+TEST(ThingRays, LimbsHaveTheSharesOfTheirAreas) {
+  for (const SphereMaterial material : {SphereMaterial::matte, SphereMaterial::translucent}) {
+    Scene scene = sky_with({ball_in_the_sky(material, 90.0, 30.0, 0.0032)}, {72, 60});
+    scene.camera.vertical_fov = 6.0 * kDegree;
+    int limb = 0;
+    double worst = 0.0;
+    double mean = 0.0;
+    double mean_of_sixteen = 0.0;
+    for (const auto& [azimuth, pitch] : {std::pair{79.4, 30.0}, {100.6, 30.0}, {90.0, 39.2}, {90.0, 20.8}}) {
+      scene.camera.azimuth = azimuth * kDegree;
+      scene.camera.pitch = pitch * kDegree;
+      const RadianceImage picture = render_now(scene).radiance;
+      const Means fine = means_of_rays(scene, spread_out());
+      const Means sixteen = means_of_rays(scene, on_grid());
+      for (std::size_t k = 0; k < fine.mean.size(); ++k) {
+        if (!fine.uneven[k]) {
+          continue;
+        }
+        const double here =
+            channel_of(picture, static_cast<int>(k) % picture.width, static_cast<int>(k) / picture.width, 1);
+        const double off = std::abs(here / fine.mean[k] - 1.0);
+        ++limb;
+        worst = std::max(worst, off);
+        mean += off;
+        mean_of_sixteen += std::abs(sixteen.mean[k] / fine.mean[k] - 1.0);
+      }
+    }
+    std::printf("%d pixels of limbs: %.4f off a fine mean, at most %.4f; sixteen rays are %.4f\n", limb, mean / limb,
+                worst, mean_of_sixteen / limb);
+    EXPECT_GT(limb, 250);
+    EXPECT_LT(mean, 0.3 * mean_of_sixteen);
+    EXPECT_LT(worst, 0.15);  // of a dark pixel next to a bright ball
+  }
+}
+
+// A ball's shadow seen from near by, its edge wider than a pixel across: pixels are means there.
+TEST(ThingRays, WideEdgesOfShadowsAreMeans) {
+  Scene scene = sky_with({ball_in_the_sky(SphereMaterial::matte, 90.0, 20.0, 0.0005)}, {96, 32});
+  scene.planet.ground_albedo = {0.2, 0.2, 0.2};
+  scene.spheres.front().distance = 0.01;
+  scene.sun.azimuth = 270.0 * kDegree;
+  scene.camera.altitude = 0.002;
+  scene.camera.pitch = -7.2 * kDegree;
+  scene.camera.vertical_fov = 1.6 * kDegree;
+  const RadianceImage picture = render_now(scene).radiance;
+  const Means fine = means_of_rays(scene, spread_out());
+  double worst = 0.0;
+  double least = 1e9;
+  double most = 0.0;
+  for (std::size_t k = 0; k < fine.mean.size(); ++k) {
+    const double here =
+        channel_of(picture, static_cast<int>(k) % picture.width, static_cast<int>(k) / picture.width, 1);
+    worst = std::max(worst, std::abs(here / fine.mean[k] - 1.0));
+    least = std::min(least, fine.mean[k]);
+    most = std::max(most, fine.mean[k]);
+  }
+  std::printf("a shadow of %.2f of the light: %.4f off a fine mean\n", least / most, worst);
+  EXPECT_LT(least, 0.5 * most);
+  EXPECT_LT(worst, 0.08);
 }
 
 // A block whose pixels all ask for as many units as a pixel may.
@@ -184,7 +264,7 @@ TEST(ThingRays, SkylinesAreTheMeanOfSixteen) {
   terrain.albedo = {0.4, 0.4, 0.4};
   scene.terrain = terrain;
   const RadianceImage picture = render_now(scene).radiance;
-  const Means means = means_of_rays(scene, SphereMaterial::matte);
+  const Means means = means_of_rays(scene, places(SphereMaterial::matte));
   int uneven = 0;
   int off = 0;
   for (std::size_t k = 0; k < means.mean.size(); ++k) {
