@@ -174,6 +174,7 @@ Blocks add_known_air(Plan& plan, const Part& part, const View& view, const Thing
   constexpr std::size_t kShown = 4 * sizeof(float);                    // ThingBlock
   constexpr std::size_t kNodes = std::size_t{12} * 6 * sizeof(float);  // AirNode
   constexpr std::uint32_t kThreads = 8;                                // a block
+  constexpr std::uint32_t kAirThreads = 16;                            // a square
   const Extent pixels = grid_of_blocks(part.scene, view);
   const std::uint32_t count = count_of_blocks(pixels);
   const Blocks blocks{.shown = plan.add_buffer({.name = "thing_blocks", .bytes = kShown * count, .zeroed = false}),
@@ -204,15 +205,14 @@ Blocks add_known_air(Plan& plan, const Part& part, const View& view, const Thing
                .shader = "thing_block_air",
                .reads = std::move(reads),
                .writes = {{"nodes_out", blocks.nodes}, {"tiles_out", blocks.tiles}, {"squares_out", squares}},
-               .grid = {count, 1, 1},
+               .grid = {kAirThreads * count / 4, 1, 1},
                .push_constants = {count, 0},
                .specialization = std::move(constants),
-               .cost = 80.0};
+               .cost = 40.0};
   plan.add_pass(air);
   air.name = "thing_block_air";
   air.push_constants[1] = 1;
   air.groups = GroupCount{squares, 0};
-  air.cost = 40.0;
   plan.add_pass(std::move(air));
   return blocks;
 }

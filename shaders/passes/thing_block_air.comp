@@ -36,7 +36,7 @@ layout(push_constant, scalar) uniform Push {
 };
 
 const uint kBlocksOfSquare = 4u;
-const uint kLanes = 4u;  // of a patch
+const uint kLanes = 16u;  // of a patch
 const uint kPatches = kThreads / kLanes;
 const uint kListedGroups = 64u;  // workgroups along x the second time
 const uint kSquareWords = 4u;    // before the list of squares
@@ -50,6 +50,7 @@ const uint kUnits = kFound / 4u;  // of a patch: up to near surfaces, up to far 
 shared AirNode nodes[kPatches * kFound];
 shared uint units[kPatches * kUnits];
 shared uint unit_count;
+shared uint off[kPatches];  // 1: a check has failed
 
 // The greatest error of a pixel within a block, as a share of its light. Light of a dark surface in the shade counts
 // as a pixel's, and what the air leaves of a bright one's as well.
@@ -169,21 +170,18 @@ bool has_unit(ThingBlock shown, uint unit) {
   return 4u * unit < kNodesSky ? shows_things(shown) : 4u * unit >= kChecks || shows_sky(shown);
 }
 
-// Whether the air is that between the patch's nodes. `own`: the first of them.
-bool is_known(Patch patch_, uint own) {
+// Whether a node that is not kept is what lies between the patch's others, the first of which is `own`.
+bool check_holds(Patch patch_, uint own, uint node) {
   ThingBlock shown = patch_.shown;
-  vec2 size = vec2(max(patch_.span, uvec2(1u)));
+  vec2 at = vec2(node_pixel(node, patch_.span)) / vec2(max(patch_.span, uvec2(1u)));
+  bool sky = node == kCheckSky;
   // Both are asked for: on a software device a branch saves nothing.
-  vec2 middle = vec2(node_pixel(kCheckSky, patch_.span)) / size;
-  bool sky_known = is_near(in_patch(own + kNodesSky, middle), nodes[own + kCheckSky], 1.0, vec3(0.0),
-                           shown.shadowed > 0.0 ? 1.0 : 0.0);
-  bool known = true;
-  for (uint node = kChecks; node < kCheckSky; node++) {
-    vec2 at = vec2(node_pixel(node, patch_.span)) / size;
-    AirNode found = mixed(in_patch(own, at), in_patch(own + kNodesFar, at), 0.5 + 0.8 * check_side(node));
-    known = known && is_near(found, nodes[own + node], shown.far, shaded_surface(), shown.shadowed);
+  AirNode through = in_patch(own + kNodesSky, at);
+  AirNode found = mixed(in_patch(own, at), in_patch(own + kNodesFar, at), 0.5 + 0.8 * check_side(node));
+  if (sky) {
+    return is_near(through, nodes[own + node], 1.0, vec3(0.0), shown.shadowed > 0.0 ? 1.0 : 0.0);
   }
-  return is_simple(shown) && (sky_known || !shows_sky(shown)) && (known || !shows_things(shown));
+  return is_near(found, nodes[own + node], shown.far, shaded_surface(), shown.shadowed);
 }
 
 AirNode node_along(Sight sight, Ray ray, bool sky) {
@@ -249,6 +247,7 @@ void main() {
   uint place = thread / kLanes;
   uint own = place * kFound;
   if (lane == 0u) {
+    off[place] = 0u;
     uint i = (gl_WorkGroupID.y * kListedGroups + gl_WorkGroupID.x) * kPatches + place;
     if (round == 0u) {
       patches[place] = square_patch(gl_WorkGroupID.x * kPatches + place);
@@ -261,7 +260,7 @@ void main() {
   }
   barrier();
   Patch mine = patches[place];
-  if (mine.there && has_unit(mine.shown, lane)) {
+  if (lane < kUnits && mine.there && has_unit(mine.shown, lane)) {
     units[atomicAdd(unit_count, 1u)] = place * kUnits + lane;
   }
   barrier();
@@ -269,15 +268,21 @@ void main() {
     find_node(units[i] / kUnits, units[i] % kUnits * 4u + thread % 4u);
   }
   barrier();
-  bool known = mine.there && is_known(mine, own);
+  uint check = kChecks + lane % kUnits;
+  bool shows = check == kCheckSky ? shows_sky(mine.shown) : shows_things(mine.shown);
+  if (lane < kUnits && shows && !check_holds(mine, own, check)) {
+    off[place] = 1u;
+  }
+  barrier();
+  bool known = mine.there && is_simple(mine.shown) && off[place] == 0u;
   if (round == 0u) {
-    uvec2 block = mine.at + in_square(lane);
+    uvec2 block = mine.at + in_square(min(lane, kBlocksOfSquare - 1u));
     if (known) {
       keep_square(place, lane);
     } else if (mine.there && lane == 0u) {
       list_square(mine.at);
     }
-    list_block(known, known_kind(block_at(block)), block, all);
+    list_block(known && lane < kBlocksOfSquare, known_kind(block_at(block)), block, all);
     return;
   }
   for (uint node = lane; mine.there && node < kNodes; node += kLanes) {

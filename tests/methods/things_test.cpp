@@ -376,6 +376,31 @@ TEST(Things, BlocksKnowTheAirOfTheirRays) {
   }
 }
 
+// Around a low sun in haze the air's light changes by some percent across a square of blocks, and most squares are
+// known between their corners still.
+TEST(Things, BlocksOfASquareKnowTheirPartOfItsAir) {
+  Scene scene = resolve(load_preset(AIRLIGHT_SOURCE_DIR "/presets/mountain-sunrise.json"), method_infos());
+  scene.sun.disc.visible = false;
+  scene.bloom.enabled = false;
+  scene.image = {104, 72};
+  scene.camera.vertical_fov = 8.0 * kDegree;
+  scene.camera.pitch = scene.sun.elevation;
+  scene.camera.azimuth = scene.sun.azimuth;
+  scene.render.parameters.insert_or_assign("tabulate", std::string("always"));
+  const RadianceImage picture = render_now(scene).radiance;
+  const std::vector<float> rays = listed_rays_of(scene);
+  std::vector<double> off;
+  for (int k = 0; k < picture.width * picture.height; ++k) {
+    const double ray = rays[3 * static_cast<std::size_t>(k) + 1];
+    off.push_back(std::abs(channel_of(picture, k % picture.width, k / picture.width, 1) / ray - 1.0));
+  }
+  std::ranges::sort(off);
+  std::printf("air of squares: half of the pixels within %.2g of each ray's, 90 %% %.2g\n", at_share(off, 0.5),
+              at_share(off, 0.9));
+  EXPECT_LT(at_share(off, 0.5), 0.003);
+  EXPECT_LT(at_share(off, 0.9), 0.008);
+}
+
 // Without terrain, blocks from which bodies stand aside are rendered as if there were none but for what they hide of
 // the sky.
 TEST(Things, BlocksAsideOfBodiesAreTheirRays) {
